@@ -5,6 +5,7 @@ use mechanics::derive::{Detail, derive_in};
 use mechanics::model::{Connection, ConnectionKind, FrameId, Model, PointId, PointRef, Rest, Strands, SupportDirection, Track, Wound};
 use symbolic::connections::Law;
 use symbolic::{Equations, Expr, SymbolId};
+use words::Text;
 
 /// Two derivations at a random state: rounding of hundreds of operations on numbers about 1.
 const DERIVED: f64 = 1e-12;
@@ -54,7 +55,7 @@ fn read(text: &str) -> Model {
 }
 
 fn with(mut model: Model, table: &'static str, kind: ConnectionKind) -> Equations {
-    model.connections.push(Connection { name: "K".into(), table, kind, unit: String::new(), span: 0..0 });
+    model.connections.push(Connection { name: "K".into(), table, label: Text::default(), kind, unit: String::new(), span: 0..0 });
     derive_in(&model, Detail::Equations).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
@@ -177,7 +178,7 @@ fn rods_ropes_and_wheels_agree() {
     // wheels whose axes a rod keeps at their distance; the line of centres turns
     let ends = [PointRef::Origin(ONE), PointRef::Origin(TWO)];
     let kind = ConnectionKind::Rod { between: ends, length: Rest::Start };
-    model.connections.push(Connection { name: "R".into(), table: "rods", kind, unit: String::new(), span: 0..0 });
+    model.connections.push(Connection { name: "R".into(), table: "rods", label: Text::default(), kind, unit: String::new(), span: 0..0 });
     for (table, opposite) in [("belts", false), ("belts", true), ("gears", true), ("gears", false)] {
         for carrier in [None, Some(FrameId::GROUND)] {
             let strands = if table == "gears" { Strands::Teeth } else { Strands::Slack { positive: opposite } };
@@ -195,7 +196,7 @@ fn wheels_whose_axes_part_are_refused() {
     let mut model = read(BODIES);
     let r = number(&mut model, "0.3");
     let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, r], opposite: true, carrier: None, strands: Strands::Teeth };
-    model.connections.push(Connection { name: "K".into(), table: "gears", kind, unit: String::new(), span: 0..0 });
+    model.connections.push(Connection { name: "K".into(), table: "gears", label: Text::default(), kind, unit: String::new(), span: 0..0 });
     let codes: Vec<&str> = derive_in(&model, Detail::Equations).unwrap_err().iter().map(|d| d.code).collect();
     assert_eq!(codes, ["M118"]);
 }
@@ -303,7 +304,14 @@ fn joints_of_a_resting_structure_have_balances_only() {
     ));
     let directions = vec![SupportDirection::X, SupportDirection::Y];
     let kind = ConnectionKind::Support { at: PointRef::Origin(ONE), directions, axes: FrameId::GROUND, on: None };
-    model.connections.push(Connection { name: "A".into(), table: "supports", kind, unit: String::new(), span: 0..0 });
+    model.connections.push(Connection {
+        name: "A".into(),
+        table: "supports",
+        label: Text::default(),
+        kind,
+        unit: String::new(),
+        span: 0..0,
+    });
     let kind = ConnectionKind::Pin { between: [PointRef::Point(PointId(0)), PointRef::Origin(TWO)], axes: FrameId::GROUND };
     let equations = with(model, "pins", kind);
     assert_eq!(equations.balances.len(), 6);

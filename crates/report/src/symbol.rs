@@ -19,6 +19,17 @@ pub struct Piece {
 /// The symbol cut where the style changes, for writers that set letters themselves. One and two time derivatives are combining dots,
 /// more are primes behind the index.
 pub fn pieces(name: &str, language: Language) -> Vec<Piece> {
+    if let Some(Ratio { second, of, by }) = ratio(name) {
+        let upright = |text: &str| Piece { text: text.into(), italic: false, index: false };
+        let mut out = Vec::new();
+        let (d, square) = if second { ("d²", "²") } else { ("d", "") };
+        push(&mut out, upright(d));
+        pieces(of, language).into_iter().for_each(|piece| push(&mut out, piece));
+        push(&mut out, upright("/d"));
+        pieces(by, language).into_iter().for_each(|piece| push(&mut out, piece));
+        push(&mut out, upright(square));
+        return out;
+    }
     let symbol = Printer::new(language).named(name);
     let (dots, primes) = match symbol.dots() {
         0 => ("", usize::from(symbol.primes)),
@@ -35,6 +46,23 @@ pub fn pieces(name: &str, language: Language) -> Vec<Piece> {
     }
     push(&mut out, upon_line("′".repeat(primes), Shape::Upright));
     out
+}
+
+/// A derivative of a coordinate by another: `dφ_2/dφ_1`, `d²φ_2/dφ_1²`.
+struct Ratio<'a> {
+    second: bool,
+    of: &'a str,
+    by: &'a str,
+}
+
+fn ratio(name: &str) -> Option<Ratio<'_>> {
+    let (above, below) = name.strip_prefix('d')?.split_once("/d")?;
+    let found = match (above.strip_prefix('²'), below.strip_suffix('²')) {
+        (Some(of), Some(by)) => Ratio { second: true, of, by },
+        (None, None) => Ratio { second: false, of: above, by: below },
+        _ => return None,
+    };
+    (!found.of.is_empty() && !found.by.is_empty()).then_some(found)
 }
 
 /// Adds a piece to the last one if the style is the same.
@@ -58,7 +86,15 @@ pub fn mathml(name: &str, language: Language) -> String {
 
 /// The layout of a symbol.
 pub(crate) fn layout(name: &str, language: Language) -> Layout {
-    Layout::Symbol(Printer::new(language).named(name))
+    let symbol = |name: &str| Layout::Symbol(Printer::new(language).named(name));
+    let Some(Ratio { second, of, by }) = ratio(name) else { return symbol(name) };
+    let d = || Layout::Words("d".into());
+    let two = |base: Layout| Layout::Power(Box::new(base), Box::new(Layout::Number { mantissa: "2".into(), exponent: None }));
+    let (above, below) = match second {
+        true => (vec![two(d()), symbol(of)], vec![d(), two(symbol(by))]),
+        false => (vec![d(), symbol(of)], vec![d(), symbol(by)]),
+    };
+    Layout::Fraction(Box::new(Layout::Row(above)), Box::new(Layout::Row(below)))
 }
 
 /// The symbol in a written form.
@@ -70,6 +106,15 @@ pub(crate) fn written(name: &str, language: Language, form: Form) -> String {
 mod tests {
     use super::*;
     use Language::{En, Ru};
+
+    #[test]
+    fn derivatives_by_a_coordinate_are_fractions() {
+        assert_eq!(written("dφ_2/dφ_1", En, Form::Latex), "\\frac{\\mathrm{d}\\varphi_2}{\\mathrm{d}\\varphi_1}");
+        assert_eq!(written("d²φ_4/dφ_1²", En, Form::Latex), "\\frac{\\mathrm{d}^2\\varphi_4}{\\mathrm{d}\\varphi_1^2}");
+        assert_eq!(marked("d²φ_4/dφ_1²", En), "d²/φ/[4]/d/φ/[1]²");
+        // a symbol of the user that begins with d stays one
+        assert!(!written("d_1", En, Form::Latex).contains("frac"));
+    }
 
     /// Slanted pieces in `/…/`, indices in `[…]`.
     fn marked(name: &str, language: Language) -> String {

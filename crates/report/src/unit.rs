@@ -30,15 +30,6 @@ pub fn print(label: &str, language: Language) -> String {
     out
 }
 
-/// The unit behind a number in a line of formulas: a lone reciprocal as a power, so that `10 s⁻¹` cannot be read as `101/s`.
-pub fn beside_number(label: &str, language: Language) -> String {
-    let lone = label.trim().strip_prefix("1/").filter(|below| below.chars().all(|c| c.is_alphanumeric() || c == '^'));
-    match lone.map(|below| below.split_once('^').unwrap_or((below, "1"))) {
-        Some((name, power)) => print(&format!("{name}^-{power}"), language),
-        None => print(label, language),
-    }
-}
-
 /// How a column or an axis is shown: shown value = SI value / `size`, in the unit `label`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
@@ -107,15 +98,6 @@ mod tests {
         ] {
             assert_eq!(print(label, En), en);
             assert_eq!(print(label, Ru), ru);
-        }
-    }
-
-    #[test]
-    fn lone_reciprocals_beside_numbers_are_powers() {
-        for (label, en, ru) in [("1/s", "s⁻¹", "с⁻¹"), ("1/s^2", "s⁻²", "с⁻²"), ("N/m", "N/m", "Н/м"), ("1/(N m)", "1/(N·m)", "1/(Н·м)")]
-        {
-            assert_eq!(beside_number(label, En), en);
-            assert_eq!(beside_number(label, Ru), ru);
         }
     }
 

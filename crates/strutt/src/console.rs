@@ -37,6 +37,8 @@ pub struct Console {
     pub format: Format,
     /// What a page looks like, where the command line says so.
     pub page: Option<Format>,
+    /// Whether the command line says what stdout is.
+    asked: bool,
     pub quiet: bool,
     /// Whether a person reads stdout.
     pub terminal: bool,
@@ -54,7 +56,16 @@ impl Console {
         };
         let laps = global.timings.then(Vec::new);
         let terminal = std::io::stdout().is_terminal();
-        Console { language, format, page: None, quiet: global.quiet, terminal, laps, started: Instant::now() }
+        Console {
+            language,
+            format,
+            page: None,
+            asked: global.json || global.csv,
+            quiet: global.quiet,
+            terminal,
+            laps,
+            started: Instant::now(),
+        }
     }
 
     /// What `--format` names: a page has figures with it, other formats are for stdout.
@@ -62,8 +73,13 @@ impl Console {
         if format.is_paged() {
             self.page = Some(*format);
         } else {
-            self.format = *format;
+            (self.format, self.asked) = (*format, true);
         }
+    }
+
+    /// The format of a page where the command line asks for one; what else it asks for has no figures.
+    pub fn paged(&self) -> Result<Option<Format>, Format> {
+        if self.page.is_none() && self.asked { Err(self.format) } else { Ok(self.page) }
     }
 
     /// Whether stdout is for people.

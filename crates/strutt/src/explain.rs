@@ -152,6 +152,16 @@ const OWN: &[Explanation] = &[
         ),
     ),
     plain(
+        "C073",
+        ("A format without pages", "Формат без страниц"),
+        (
+            "`strutt report` writes a document with formulas and figures: html, markdown, latex, typst, docx. Text for the terminal, CSV and JSON hold none; the numbers \
+             of a calculation come from `strutt run FILE --json` or from a study with `--csv`.",
+            "`strutt report` составляет документ с формулами и рисунками: html, markdown, latex, typst, docx. В тексте для терминала, CSV и JSON их нет; числа расчёта \
+             дают `strutt run ФАЙЛ --json` и расчёты с ключом `--csv`.",
+        ),
+    ),
+    plain(
         "C053",
         ("Not a name for a file", "Негодное имя файла"),
         (

@@ -86,12 +86,13 @@ fn paged(shelf: &mut Shelf, document: &Document, (format, name): (&Format, &str)
     for (name, bytes) in page.pictures(document).map_err(|error| undrawn("figure", &error))? {
         pictures.push(shelf.put(&name, Word::Picture, &bytes)?);
     }
-    let text = (page.write)(document, &Sheet { width: 0, pictures: &pictures });
-    shelf.put(name, Word::Page, text.as_bytes())?;
+    let bytes = page.file(document, &Sheet { width: 0, pictures: &pictures }).map_err(|error| undrawn("figure", &error))?;
+    shelf.put(name, Word::Page, &bytes)?;
     Ok(())
 }
 
-fn undrawn(stem: &str, error: &png::Error) -> Box<Notice> {
+/// A picture that the renderer refused.
+pub fn undrawn(stem: &str, error: &png::Error) -> Box<Notice> {
     Box::new(Notice::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}")))
 }
 

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{folder, gallery, strutt};
-use report::formats::{Pictures, Sheet, TABLE};
+use report::formats::{Package, Pictures, Sheet, TABLE};
 use std::path::Path;
 use std::process::Command;
 
@@ -11,7 +11,13 @@ use studies::{Extent, Source, Watch, pipeline};
 use words::Language;
 
 /// How each format of pages numbers an equation.
-const NUMBERS: [(&str, &str); 4] = [("html", "class=\"no\""), ("markdown", "\\tag{"), ("latex", "\\tag{"), ("typst", "\n#formula([(")];
+const NUMBERS: [(&str, &str); 5] = [
+    ("html", "class=\"no\""),
+    ("markdown", "\\tag{"),
+    ("latex", "\\tag{"),
+    ("typst", "\n#formula([("),
+    ("docx", "w:val=\"FormulaNumber\""),
+];
 
 fn read(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
@@ -39,7 +45,9 @@ fn every_model_gives_a_page_in_every_format() {
             let counts = NUMBERS.map(|(name, equation)| {
                 let page = TABLE.iter().find(|f| f.name == name).and_then(|f| f.page()).unwrap();
                 let pictures: Vec<String> = match page.pictures {
-                    Pictures::Beside(drawing) => (0..100).map(|i| format!("p{i}.{}", drawing.extension)).collect(),
+                    Pictures::Beside(drawing) | Pictures::Packed(Package { drawing, .. }) => {
+                        (0..100).map(|i| format!("p{i}.{}", drawing.extension)).collect()
+                    }
                     _ => Vec::new(),
                 };
                 let text = (page.write)(&document, &Sheet { width: 0, pictures: &pictures });

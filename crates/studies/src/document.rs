@@ -368,7 +368,7 @@ fn rubs(equations: &Equations, condition: &symbolic::connections::Condition) -> 
 pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>> {
     let one = |c: &symbolic::connections::Condition| {
         let Some(reaction) = c.reaction.map(|r| &equations.reactions[r]) else {
-            return Some(language.pick("prescribed motion", "заданное движение").to_owned());
+            return Some(language.text(&c.name).to_owned());
         };
         // "rope S1, tension": what holds is the rope
         let name = language.text(&reaction.label).split(',').next().unwrap_or_default();

@@ -365,8 +365,8 @@ impl Centres {
             if data.columns.iter().any(all) {
                 data.keep_columns(|c| !own.contains(&c.quantity.name));
                 data.notes.push(Text::new(
-                    format!("body {body} does not turn: its instantaneous centre is at infinity"),
-                    format!("тело {body} движется поступательно: его мгновенный центр скоростей бесконечно удалён"),
+                    format!("{} does not turn: its instantaneous centre is at infinity", self.told(body).0),
+                    format!("{} движется поступательно: мгновенный центр скоростей бесконечно удалён", self.told(body).1),
                 ));
             }
             for name in own {
@@ -376,17 +376,34 @@ impl Centres {
         }
     }
 
+    /// The symbol of an output that is one of ours with the number of the body, where a label says what the body is.
+    fn symbol(&self, output: &str) -> Option<String> {
+        let (body, names) = self.bodies.iter().find(|(_, names)| names.iter().any(|n| n == output))?;
+        let bodies = self.machine.iter().flat_map(|machine| &machine.model.frames).filter(|frame| frame.is_body);
+        let (number, frame) = bodies.enumerate().find(|(_, frame)| frame.name == *body)?;
+        let letter = ["P_x_", "P_y_", "ω_"][names.iter().position(|n| n == output)?];
+        (!frame.label.en.is_empty()).then(|| format!("{letter}{}", number + 1))
+    }
+
+    /// What a body is, in both languages; its name where the file does not say.
+    fn told(&self, body: &str) -> (String, String) {
+        let frames = self.machine.iter().flat_map(|machine| &machine.model.frames);
+        let label = frames.into_iter().find(|frame| frame.name == body).map(|frame| frame.label.clone()).unwrap_or_default();
+        if label.en.is_empty() { (body.to_owned(), body.to_owned()) } else { (label.en, label.ru) }
+    }
+
     /// Name, label and unit of an output that is one of ours; none for the user's.
     fn shown(&self, output: &str) -> Option<(String, Text)> {
         let (body, names) = self.bodies.iter().find(|(_, names)| names.iter().any(|n| n == output))?;
+        let (en, ru) = self.told(body);
         let label = |axis: &str| {
-            let ru = format!("мгновенный центр скоростей {body}, {axis}");
-            Text::new(format!("instantaneous centre of velocity of {body}, {axis}"), ru)
+            let ru = format!("мгновенный центр скоростей ({ru}), {axis}");
+            Text::new(format!("instantaneous centre of velocity of {en}, {axis}"), ru)
         };
         Some(match names.iter().position(|n| n == output)? {
             0 => (format!("P_x_{body}"), label("x")),
             1 => (format!("P_y_{body}"), label("y")),
-            _ => (format!("omega({body})"), Text::new(format!("angular velocity of {body}"), format!("угловая скорость {body}"))),
+            _ => (format!("omega({body})"), Text::new(format!("angular velocity of {en}"), format!("угловая скорость ({ru})"))),
         })
     }
 }
@@ -566,7 +583,10 @@ impl Table<'_> {
             }
         }
         let quantity = |output: &symbolic::equations::Output| match self.centres.shown(&output.name) {
-            Some((name, label)) => Quantity { label, ..Quantity::new(&name, &output.unit) },
+            Some((name, label)) => {
+                let symbol = self.centres.symbol(&output.name).unwrap_or_else(|| name.clone());
+                Quantity { label, symbol, ..Quantity::new(&name, &output.unit) }
+            }
             None => {
                 let symbol = self.equations.graph.symbol_info(output.symbol);
                 let symbol = format!("{}{}", self.symbol(&symbol.name), "'".repeat(usize::from(symbol.primes)));
@@ -586,7 +606,7 @@ impl Table<'_> {
             let per = |unit: &str, by: &str| if unit == by { "1".to_owned() } else { format!("{unit}/{by}") };
             let first = per(&coordinate.unit, &over.unit);
             let second = if first == "1" { format!("1/{}", over.unit) } else { format!("{first}^2") };
-            let [q, s] = [&own, &lead].map(|name| report::symbol::plain(name, words::Language::En));
+            let [q, s] = [&own, &lead].map(|name| self.symbol(name));
             let label = Text::new("transfer function, first order", "передаточная функция первого порядка");
             let quantity = Quantity { label, symbol: format!("d{q}/d{s}"), ..Quantity::new(&format!("d{own}/d{lead}"), &first) };
             columns.push(Column { quantity, values: places.iter().map(|p| p.first[i]).collect() });

@@ -15,6 +15,12 @@ pub fn stamp(mut data: Dataset, equations: &Equations, model_hash: &str) -> Data
         model_hash: model_hash.into(),
         parameters: parameters(equations),
     };
+    // columns that only know their name are printed with the symbol of the file
+    for quantity in data.columns.iter_mut().map(|column| &mut column.quantity).filter(|q| q.symbol == q.name) {
+        if let Some((_, shown)) = equations.notation.iter().find(|(name, _)| *name == quantity.name) {
+            quantity.symbol.clone_from(shown);
+        }
+    }
     data
 }
 

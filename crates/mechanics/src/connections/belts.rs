@@ -5,7 +5,7 @@ use super::common::reading::Space;
 use super::common::wheels::{self, components};
 use super::row::{Made, Row};
 use crate::formula::Context;
-use crate::keys::{TableSpec, Type, may};
+use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::Strands;
 use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
@@ -38,6 +38,7 @@ const KEYS: TableSpec = table(
             "\"300 N\"",
         ),
         CARRIER,
+        LABEL,
     ],
     "[belts.S]\nbetween = [\"flywheel\", \"pulley\"]\nradii = [\"r1\", \"R4\"]\n",
 );

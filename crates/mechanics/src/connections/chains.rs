@@ -4,7 +4,7 @@ use super::common::keys::{CARRIER, RADII, WHEELS, table};
 use super::common::reading::{Space, choose};
 use super::common::wheels::{self, components};
 use super::row::{Made, Row};
-use crate::keys::{TableSpec, Type, may};
+use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::Strands;
 use crate::reader::{Fields, Reader};
 
@@ -31,6 +31,7 @@ const KEYS: TableSpec = table(
             "\"+\"",
         ),
         CARRIER,
+        LABEL,
     ],
     "[chains.X]\nbetween = [\"front\", \"rear\"]\nradii = [\"r1\", \"r2\"]\n",
 );

@@ -6,7 +6,7 @@ use super::common::keys::table;
 use super::common::reading::{Space, one_of};
 use super::row::{Made, Row};
 use crate::formula::{Context, Kind};
-use crate::keys::{TableSpec, Type, may};
+use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::{Connection, ConnectionKind, Measure, Part, RequestKind};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -48,6 +48,7 @@ const KEYS: TableSpec = table(
             ("instead: vanishes at all times, linear in rates", "вместо этого: равно нулю всегда, линейно по скоростям"),
             "\"x' - R*phi'\"",
         ),
+        LABEL,
     ],
     "[constraints.K]\nzero = \"x^2 + y^2 - l^2\"\n",
 );

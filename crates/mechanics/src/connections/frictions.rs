@@ -10,7 +10,7 @@ use super::common::keys::{ALONG, BETWEEN, ON_BODY, table};
 use super::common::reading::Space;
 use super::row::{Made, Row};
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
-use crate::keys::{TableSpec, Type, may};
+use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::{Connection, ConnectionKind, Part, Pressing, Reliance, RequestKind, Slides};
 use crate::reader::{Checked, Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -136,6 +136,7 @@ const KEYS: TableSpec = table(
             ("normal force; its magnitude counts; may contain reactions", "нормальная сила; учитывается модуль; может содержать реакции"),
             "\"force(guide)\"",
         ),
+        LABEL,
     ],
     "[frictions.rail]\nalong = \"x\"\nkinetic = \"F2\"\nstatic = \"F1\"\n",
 );

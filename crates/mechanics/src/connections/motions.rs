@@ -6,7 +6,7 @@ use super::common::keys::{ALONG, BETWEEN, ON_BODY, table};
 use super::common::reading::{Space, one_of, pathway};
 use super::row::{Made, Row};
 use crate::formula::{Context, Kind};
-use crate::keys::{TableSpec, Type, may};
+use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::{Connection, ConnectionKind};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -35,6 +35,7 @@ const KEYS: TableSpec = table(
         ON_BODY,
         may("value", Type::Formula, "", "", ("value of the pathway", "значение координаты"), "\"0.1 [m]*sin(p*t)\""),
         may("rate", Type::Formula, "", "", ("instead: its rate", "вместо него: скорость"), "\"v*sin(p*t)\""),
+        LABEL,
     ],
     "[motions.lift]\nalong = \"y(A)\"\nrate = \"v*sin(p*t)\"\n",
 );

@@ -5,7 +5,7 @@ use super::common::faults;
 use super::common::keys::{ALONG, BETWEEN, ON_BODY, table};
 use super::common::reading::{Space, pathway};
 use super::row::{Made, Row};
-use crate::keys::TableSpec;
+use crate::keys::{LABEL, TableSpec};
 use crate::model::{Connection, ConnectionKind, Part};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -30,7 +30,7 @@ const KEYS: TableSpec = table(
         "Motors: unknown forces or torques that realise the motions. Between two bodies the torque acts on the second and opposite on the first; positive increases the pathway.",
         "Двигатели: неизвестные силы и моменты, реализующие заданные движения. Между двумя телами момент действует на второе, противоположный — на первое; положительный увеличивает координату.",
     ),
-    &[ALONG, BETWEEN, ON_BODY],
+    &[ALONG, BETWEEN, ON_BODY, LABEL],
     "[motors.B]\nbetween = [\"bar2\", \"bar1\"]\n",
 );
 

@@ -6,7 +6,7 @@ use super::common::faults;
 use super::common::keys::{AXES, TWO_POINTS, table};
 use super::common::reading::{Space, frame, two_points};
 use super::row::{Made, Row};
-use crate::keys::TableSpec;
+use crate::keys::{LABEL, TableSpec};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -24,7 +24,7 @@ const KEYS: TableSpec = table(
         "Pins: two points coincide. Reactions force_x, force_y, force_z act on the second body, and opposite on the first; force is the magnitude.",
         "Шарниры: две точки совпадают. Реакции force_x, force_y, force_z действуют на второе тело, противоположные — на первое; force — модуль.",
     ),
-    &[TWO_POINTS, AXES],
+    &[TWO_POINTS, AXES, LABEL],
     "[pins.A]\nbetween = [\"A1\", \"A2\"]\n",
 );
 

@@ -4,7 +4,7 @@ use super::common::keys::{CENTER, DIRECTION, RADIUS, SIDE, table};
 use super::common::reading::{Space, direction, word};
 use super::common::tracks::{Wheel, components, wheel};
 use super::row::{Made, Row};
-use crate::keys::{TableSpec, Type, may, must};
+use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{ConnectionKind, Part, Track};
 use crate::reader::{Fields, Reader};
 
@@ -26,6 +26,7 @@ const KEYS: TableSpec = table(
         may("on", Type::Name, "", "\"ground\"", ("frame or body of the rack", "система отсчёта или тело рейки"), "\"rack\""),
         DIRECTION,
         SIDE,
+        LABEL,
     ],
     "[racks.Z]\ngear = \"roller\"\nradius = \"r4\"\non = \"rack\"\n",
 );

@@ -5,7 +5,7 @@ use super::common::faults;
 use super::common::keys::{LENGTH, TWO_POINTS, table};
 use super::common::reading::{Space, length, two_points};
 use super::row::{Made, Row};
-use crate::keys::TableSpec;
+use crate::keys::{LABEL, TableSpec};
 use crate::model::{Connection, ConnectionKind, Part, Pathway, PointRef};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -28,7 +28,7 @@ const KEYS: TableSpec = table(
         "Massless rigid rods: the distance of two points is constant. force is positive in tension.",
         "Невесомые жёсткие стержни: расстояние между двумя точками постоянно. force положительна при растяжении.",
     ),
-    &[TWO_POINTS, LENGTH],
+    &[TWO_POINTS, LENGTH, LABEL],
     "[rods.AB]\nbetween = [\"A\", \"B\"]\nlength = \"l\"\n",
 );
 

@@ -5,7 +5,7 @@ use super::common::reading::{Space, direction, fixed_in, restitution, size, word
 use super::common::tracks::{Wheel, components, wheel};
 use super::row::{Made, Row};
 use crate::formula::Context;
-use crate::keys::{TableSpec, Type, may, must};
+use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{ConnectionKind, FrameId, Part, Track};
 use crate::reader::{Fields, Reader, wrong_type};
 use toml::de::DeValue;
@@ -74,6 +74,7 @@ const KEYS: TableSpec = table(
             ("of a landing, 0 ... 1; with `leaves`", "при падении на опору, 0 ... 1; вместе с `leaves`"),
             "0.3",
         ),
+        LABEL,
     ],
     "[rolling.F]\nbody = \"roller\"\nradius = \"R5\"\ndirection = \"alpha\"\n",
 );

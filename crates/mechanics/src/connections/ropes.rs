@@ -6,7 +6,7 @@ use super::common::reading::{Space, choose, frame, length, point_named, restitut
 use super::common::{axles, drums, faults};
 use super::row::{Made, Row};
 use crate::formula::Context;
-use crate::keys::{Field, TableSpec, Type, may, must};
+use crate::keys::{Field, LABEL, TableSpec, Type, may, must};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, Wound};
 use crate::reader::names::{frame_by_name, names};
 use crate::reader::{Fields, Reader, wrong_type};
@@ -69,6 +69,7 @@ pub(super) const TIE: &[Field] = &[
         "false",
     ),
     RESTITUTION,
+    LABEL,
 ];
 
 /// `wound = [{ ... }]`.

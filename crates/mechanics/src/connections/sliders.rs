@@ -10,7 +10,7 @@ use super::common::keys::{DIRECTION, ON_FRAME, THROUGH, table};
 use super::common::reading::{Space, direction, fixed_in, frame, point, rigid};
 use super::row::{Made, Row};
 use super::welds::MOMENTS;
-use crate::keys::{Field, TableSpec, Type, may, must};
+use crate::keys::{Field, LABEL, TableSpec, Type, may, must};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -36,6 +36,7 @@ const SLIDING: &[Field] = &[
         ("whether the body of the point may turn against `on`", "может ли тело точки поворачиваться относительно `on`"),
         "false",
     ),
+    LABEL,
 ];
 
 /// `[sliders.NAME]`.

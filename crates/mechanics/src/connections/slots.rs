@@ -4,7 +4,7 @@ use super::common::keys::{DIRECTION, ON_FRAME, THROUGH, table};
 use super::common::reading::Space;
 use super::row::{Made, Row};
 use super::sliders::{ACROSS, Line, components, guide};
-use crate::keys::{TableSpec, Type, must};
+use crate::keys::{LABEL, TableSpec, Type, must};
 use crate::model::ConnectionKind;
 use crate::reader::{Fields, Reader};
 
@@ -23,6 +23,7 @@ const KEYS: TableSpec = table(
         ON_FRAME,
         THROUGH,
         DIRECTION,
+        LABEL,
     ],
     "[slots.K]\npin = \"A\"\non = \"yoke\"\n",
 );

@@ -6,7 +6,7 @@ use super::common::keys::{ALONG, BETWEEN, ON_BODY, RESTITUTION, table};
 use super::common::reading::{Space, one_of, pathway, restitution, restitution_by, word};
 use super::row::{Made, Row};
 use crate::formula::{Context, Kind};
-use crate::keys::{TableSpec, Type, may};
+use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::{Connection, ConnectionKind, Part, Pathway};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -76,6 +76,7 @@ const KEYS: TableSpec = table(
             ),
             "\"poisson\"",
         ),
+        LABEL,
     ],
     "[stops.floor]\nalong = \"y\"\nat_least = 0\nrestitution = 0.8\n",
 );

@@ -7,7 +7,7 @@ use super::common::reading::{Space, choose, frame, point};
 use super::common::{faults, held};
 use super::row::{Made, Row};
 use crate::formula::Kind;
-use crate::keys::{TableSpec, Type, may, must};
+use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, SupportDirection};
 use crate::reader::names::names;
 use crate::reader::{Fields, Reader};
@@ -50,6 +50,7 @@ const KEYS: TableSpec = table(
             ("what holds the body and gets the opposite", "что удерживает тело; туда действует противоположная реакция"),
             "\"cart\"",
         ),
+        LABEL,
     ],
     "[supports.A]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n",
 );

@@ -7,7 +7,7 @@ use super::common::keys::{AXES, TWO_POINTS, table};
 use super::common::reading::{Space, frame, two_points};
 use super::pins::{FORCES, coincide};
 use super::row::{Made, Row};
-use crate::keys::TableSpec;
+use crate::keys::{LABEL, TableSpec};
 use crate::model::{Connection, ConnectionKind, Part};
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
@@ -28,7 +28,7 @@ const KEYS: TableSpec = table(
         "Welds: two points coincide and their bodies do not turn against each other. Reactions as with pins, and moment (moment_x, moment_y in space).",
         "Жёсткие соединения: две точки совпадают, тела не поворачиваются друг относительно друга. Реакции как у шарниров и moment (в пространстве ещё moment_x, moment_y).",
     ),
-    &[TWO_POINTS, AXES],
+    &[TWO_POINTS, AXES, LABEL],
     "[welds.W]\nbetween = [\"end\", \"begin\"]\n",
 );
 

@@ -3,7 +3,7 @@
 use super::common::{pathway_of, per, told, useful};
 use super::{Made, Row};
 use crate::formula::{Context, Kind};
-use crate::keys::{ALONG, BETWEEN, TableSpec, Type, must};
+use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use std::sync::Arc;
@@ -28,6 +28,7 @@ const KEYS: TableSpec = TableSpec {
             ("damping; N m s per radian for an angle", "коэффициент вязкого сопротивления; Н·м·с на радиан для угла"),
             "\"25 N s/m\"",
         ),
+        LABEL,
     ],
     example: "[dampers.shaft]\nbetween = [\"rotor\", \"pendulum\"]\ndamping = \"k\"\n",
 };

@@ -2,7 +2,7 @@
 
 use super::{Made, Row};
 use crate::formula::Context;
-use crate::keys::{TableSpec, Type, must};
+use crate::keys::{LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
@@ -26,13 +26,10 @@ const KEYS: TableSpec = TableSpec {
         "Диссипативная функция Рэлея произвольного вида; сила по q равна -dF/dq'.",
     ),
     short: None,
-    fields: &[must(
-        "function",
-        Type::Formula,
-        "W",
-        ("function over coordinates and rates", "функция координат и скоростей"),
-        "\"b*x'^2/2\"",
-    )],
+    fields: &[
+        must("function", Type::Formula, "W", ("function over coordinates and rates", "функция координат и скоростей"), "\"b*x'^2/2\""),
+        LABEL,
+    ],
     example: "[dissipations.oil]\nfunction = \"b*x'^2/2\"\n",
 };
 

@@ -3,7 +3,7 @@
 use super::common::{pathway_of, per};
 use super::{Made, Row};
 use crate::formula::{Context, Place};
-use crate::keys::{ALONG, BETWEEN, DISTANCE, TableSpec, Type, may, must};
+use crate::keys::{ALONG, BETWEEN, DISTANCE, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Pathway, PointRef, Push, Site, Sketch, Stage, Straight};
 use crate::reader::names::frame_named;
 use crate::reader::{Fields, Reader, components};
@@ -46,6 +46,7 @@ const KEYS: TableSpec = TableSpec {
             "[\"F0*sin(Omega*t)\", \"0\"]",
         ),
         may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"blade\""),
+        LABEL,
     ],
     example: "[forces.drag]\nat = \"A\"\nvalue = [\"-c*vx(A)\", \"-c*vy(A)\"]\n",
 };

@@ -20,6 +20,7 @@ use crate::model::{Element, Law};
 use crate::reader::{Fields, Reader};
 use std::ops::Range;
 use std::sync::Arc;
+use words::Text;
 use words::explain::Explanation;
 
 /// A kind of element.
@@ -65,7 +66,7 @@ impl Row {
 /// An element of the kind of that table.
 pub fn element(table: &'static str, name: String, law: impl Law + 'static, span: Range<usize>) -> Element {
     let rank = TABLE.iter().position(|row| row.keys.name == table).unwrap_or(TABLE.len());
-    Element { path: format!("{table}.{name}"), name, table, rank, law: Arc::new(law), span }
+    Element { path: format!("{table}.{name}"), name, table, rank, label: Text::default(), law: Arc::new(law), span }
 }
 
 /// All functions of formulas that only elements have.
@@ -90,7 +91,9 @@ pub(crate) fn read<'a>(
             if !made.told.is_empty() {
                 reader.scope.declare_element((table, &name), found.len(), made.told);
             }
-            found.push(Element { path: format!("{table}.{name}"), name, table, rank, law: made.law, span: fields.span.clone() });
+            let label = fields.text(reader, "label").unwrap_or_default();
+            let (path, span) = (format!("{table}.{name}"), fields.span.clone());
+            found.push(Element { path, name, table, rank, label, law: made.law, span });
         }
     }
     found

@@ -2,7 +2,7 @@
 
 use super::{Made, Row};
 use crate::formula::Context;
-use crate::keys::{TableSpec, Type, must};
+use crate::keys::{LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
@@ -23,13 +23,16 @@ const KEYS: TableSpec = TableSpec {
     name: "potentials",
     about: ("Potential energy of any form.", "Потенциальная энергия произвольного вида."),
     short: None,
-    fields: &[must(
-        "energy",
-        Type::Formula,
-        "N m",
-        ("energy over coordinates and time", "энергия как функция координат и времени"),
-        "\"c*x^4/4\"",
-    )],
+    fields: &[
+        must(
+            "energy",
+            Type::Formula,
+            "N m",
+            ("energy over coordinates and time", "энергия как функция координат и времени"),
+            "\"c*x^4/4\"",
+        ),
+        LABEL,
+    ],
     example: "[potentials.hardening]\nenergy = \"c3*x^4/4\"\n",
 };
 

@@ -3,7 +3,7 @@
 use super::common::{pathway_of, per, told, useful};
 use super::{Made, Row};
 use crate::formula::{Context, Kind};
-use crate::keys::{ALONG, BETWEEN, TableSpec, Type, may, must};
+use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use std::sync::Arc;
@@ -62,6 +62,7 @@ const KEYS: TableSpec = TableSpec {
             ),
             "\"2 mm\"",
         ),
+        LABEL,
     ],
     example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
 };

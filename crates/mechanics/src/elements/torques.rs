@@ -2,7 +2,7 @@
 
 use super::{Made, Row};
 use crate::formula::Context;
-use crate::keys::{DISTANCE, TableSpec, Type, may, must};
+use crate::keys::{DISTANCE, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Site, Sketch, Stage, Straight};
 use crate::reader::names::{frame_by_name, frame_named};
 use crate::reader::{Fields, Reader, components};
@@ -42,6 +42,7 @@ const KEYS: TableSpec = TableSpec {
             ("body on which minus the torque acts", "тело, на которое действует противоположный момент"),
             "\"frame\"",
         ),
+        LABEL,
     ],
     example: "[torques.motor]\non = \"crank\"\nvalue = \"M0 - k*phi'\"\n",
 };

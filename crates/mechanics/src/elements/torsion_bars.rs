@@ -5,7 +5,7 @@
 use super::common::useful;
 use super::{Made, Row};
 use crate::formula::{Context, Depends, Kind, KinematicFunction, Takes, Told, Where};
-use crate::keys::{TableSpec, Type, may, must};
+use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
 use crate::reader::names::{frame_by_name, two_names};
 use crate::reader::{Fields, Reader};
@@ -101,6 +101,7 @@ const KEYS: TableSpec = TableSpec {
             ("torque per rate of the twist", "момент на единицу скорости закручивания"),
             "\"3 N m s\"",
         ),
+        LABEL,
     ],
     example: "[torsion_bars.shaft]\nbetween = [\"motor\", \"fan\"]\nshear_modulus = \"80 GPa\"\ndiameter = \"40 mm\"\nlength = \"1.2 m\"\n",
 };

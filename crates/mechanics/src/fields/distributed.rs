@@ -1,6 +1,6 @@
 //! Loads distributed along a line.
 
-use crate::keys::{TableSpec, Type, may, must};
+use crate::keys::{LABEL, TableSpec, Type, may, must};
 
 /// `[distributed.NAME]`.
 pub const DISTRIBUTED: TableSpec = TableSpec {
@@ -17,6 +17,7 @@ pub const DISTRIBUTED: TableSpec = TableSpec {
         must("value", Type::Vector, "N/m", ("force per length at `from`", "сила на единицу длины в `from`"), "[\"0\", \"-q\"]"),
         may("value_end", Type::Vector, "N/m", "value", ("force per length at `to`", "сила на единицу длины в `to`"), "[\"0\", \"0\"]"),
         may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"beam\""),
+        LABEL,
     ],
     example: "[distributed.q]\nfrom = \"A\"\nto = \"B\"\nvalue = [\"0\", \"-q\"]\n",
 };

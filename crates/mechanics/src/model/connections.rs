@@ -4,6 +4,7 @@ use super::{FrameId, Pathway, PointRef, Rest};
 use std::ops::Range;
 use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId};
+use words::Text;
 
 /// Something with reactions: a joint, a support, a drive, a stop, a dry friction.
 #[derive(Clone, Debug)]
@@ -12,12 +13,31 @@ pub struct Connection {
     pub name: String,
     /// Table it stands in: `pins`.
     pub table: &'static str,
+    /// What it is, in words; empty where the file does not say.
+    pub label: Text,
     /// What it does.
     pub kind: ConnectionKind,
     /// SI unit of its force, for those that act along a formula: energy by the formula's unit. Empty where the formula has no known dimension.
     pub unit: String,
     /// Place in the file (its name).
     pub span: Range<usize>,
+}
+
+impl Connection {
+    /// What is said of a part of it, `pin B, along x`, in the words of its label where it has one: `right support, along x`.
+    pub(crate) fn named(&self, told: &Text) -> Text {
+        if self.label == Text::default() {
+            return told.clone();
+        }
+        let put = |told: &str, label: &str| {
+            let name = self.name.as_str();
+            // the name as a word of its own
+            let ends = |at: usize| !told[at + name.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
+            let found = told.match_indices(name).map(|(at, _)| at).find(|at| told[..*at].ends_with(' ') && ends(*at));
+            found.map_or_else(|| told.to_owned(), |at| format!("{label}{}", &told[at + name.len()..]))
+        };
+        Text::new(put(&told.en, &self.label.en), put(&told.ru, &self.label.ru))
+    }
 }
 
 /// What a connection does. Signs: a reaction acts on the second of two partners and opposite on the first, unless said otherwise.

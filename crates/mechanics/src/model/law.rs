@@ -6,7 +6,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::Arc;
 use symbolic::{Expr, Graph};
-use words::Notice;
+use words::{Notice, Text};
 
 /// A result, or a finding about the model.
 pub type Found<T> = Result<T, Box<Notice>>;
@@ -22,6 +22,8 @@ pub struct Element {
     pub rank: usize,
     /// Table and name of what it is in the file, or is a part of: `forces.f`, `distributed.q`.
     pub path: String,
+    /// What it is, in words; empty where the file does not say.
+    pub label: Text,
     /// What it does.
     pub law: Arc<dyn Law>,
     /// Place in the file (its name).

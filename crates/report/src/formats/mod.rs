@@ -2,6 +2,7 @@
 //! asks the row and never the name.
 
 pub mod csv;
+pub mod docx;
 mod fit;
 pub mod html;
 pub mod json;
@@ -69,6 +70,17 @@ pub enum Pictures {
     Told,
     /// In files of this kind beside the page.
     Beside(Drawing),
+    /// In the file of the page, which is a package of several.
+    Packed(Package),
+}
+
+/// A file that holds the text of a page and its pictures.
+#[derive(Clone, Copy, Debug)]
+pub struct Package {
+    /// How its pictures are drawn.
+    pub drawing: Drawing,
+    /// The text and the pictures, name and bytes, as one file.
+    pub pack: fn(&str, &[(String, Vec<u8>)]) -> Vec<u8>,
 }
 
 /// A kind of picture.
@@ -104,7 +116,8 @@ pub(crate) const VECTOR: Drawing = Drawing { extension: "svg", draw: |svg| Ok(sv
 pub(crate) const RASTER: Drawing = Drawing { extension: "png", draw: |svg| png::of_svg(&svg) };
 
 /// Every format; the first is that of the terminal.
-pub const TABLE: [Format; 7] = [text::FORMAT, html::FORMAT, markdown::FORMAT, latex::FORMAT, typst::FORMAT, csv::FORMAT, json::FORMAT];
+pub const TABLE: [Format; 8] =
+    [text::FORMAT, html::FORMAT, markdown::FORMAT, latex::FORMAT, typst::FORMAT, docx::FORMAT, csv::FORMAT, json::FORMAT];
 
 /// The row of a name.
 pub fn find(name: &str) -> Option<&'static Format> {
@@ -139,12 +152,27 @@ impl Page {
     /// # Errors
     /// A fault of the renderer.
     pub fn pictures(&self, document: &Document) -> Result<Vec<(String, Vec<u8>)>, png::Error> {
-        let Pictures::Beside(drawing) = self.pictures else { return Ok(Vec::new()) };
-        let mut drawn = Vec::new();
-        draw(&document.blocks, document.language, &mut drawn);
-        let named = |(i, svg)| Ok((format!("figure-{}.{}", i + 1, drawing.extension), (drawing.draw)(svg)?));
-        drawn.into_iter().enumerate().map(named).collect()
+        if let Pictures::Beside(drawing) = self.pictures { drawings(document, drawing) } else { Ok(Vec::new()) }
     }
+
+    /// The page as the bytes of its file.
+    ///
+    /// # Errors
+    /// A fault of the renderer of the pictures that go into it.
+    pub fn file(&self, document: &Document, sheet: &Sheet) -> Result<Vec<u8>, png::Error> {
+        let Pictures::Packed(package) = self.pictures else { return Ok((self.write)(document, sheet).into_bytes()) };
+        let drawn = drawings(document, package.drawing)?;
+        let names: Vec<String> = drawn.iter().map(|(name, _)| name.clone()).collect();
+        let text = (self.write)(document, &Sheet { pictures: &names, ..*sheet });
+        Ok((package.pack)(&text, &drawn))
+    }
+}
+
+fn drawings(document: &Document, drawing: Drawing) -> Result<Vec<(String, Vec<u8>)>, png::Error> {
+    let mut drawn = Vec::new();
+    draw(&document.blocks, document.language, &mut drawn);
+    let named = |(i, svg)| Ok((format!("figure-{}.{}", i + 1, drawing.extension), (drawing.draw)(svg)?));
+    drawn.into_iter().enumerate().map(named).collect()
 }
 
 /// The figures of blocks as SVG without titles, which stand in captions.

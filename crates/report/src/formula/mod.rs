@@ -18,6 +18,7 @@ mod mathml;
 mod measure;
 mod names;
 mod numeral;
+mod omml;
 mod order;
 mod printer;
 mod product;

@@ -23,6 +23,8 @@ pub struct Printer {
     width: Option<usize>,
     /// Parameters whose numbers are positive.
     positive: Vec<SymbolId>,
+    /// Expressions whose sign is known, of the graph that is printed.
+    signs: Vec<(Expr, Sign)>,
     /// Whether numbers are rounded to what a reader takes in.
     pub(super) rounded: bool,
     /// Symbols that are printed as numbers.
@@ -40,6 +42,7 @@ impl Printer {
             words: vec![],
             width: None,
             positive: vec![],
+            signs: vec![],
             rounded: false,
             values: vec![],
         }
@@ -88,6 +91,18 @@ impl Printer {
         values.sort_by_key(|(symbol, _)| *symbol);
         self.values = values;
         self
+    }
+
+    /// Expressions of the graph that is printed, or of one that grew out of it, whose sign is known: √((4 − s)²) is written 4 − s where that is positive.
+    pub fn with_signs(mut self, mut signs: Vec<(Expr, Sign)>) -> Printer {
+        signs.sort_by_key(|(e, _)| *e);
+        self.signs = signs;
+        self
+    }
+
+    /// The sign of an expression, where it is known.
+    pub(super) fn sign_of(&self, e: Expr) -> Option<Sign> {
+        self.signs.binary_search_by_key(&e, |(known, _)| *known).ok().map(|i| self.signs[i].1)
     }
 
     /// Numbers with all digits that a reader takes in, and no more: 0.333333 and not 1/3 of a long fraction.

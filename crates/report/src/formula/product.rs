@@ -41,6 +41,23 @@ impl Factor {
     }
 }
 
+/// Factors of one base as one power: what roots left beside what stood there.
+fn merge_equal(factors: &mut Vec<Factor>) {
+    let mut i = 0;
+    while i < factors.len() {
+        let alike = |f: &Factor| f.base == factors[i].base && f.taken == Taken::Whole;
+        let other = factors[i + 1..].iter().position(alike).filter(|_| factors[i].taken == Taken::Whole);
+        match other {
+            Some(k) => {
+                let exponent = factors.remove(i + 1 + k).exponent;
+                factors[i].exponent = &factors[i].exponent + &exponent;
+            }
+            None => i += 1,
+        }
+    }
+    factors.retain(|f| !f.exponent.is_zero());
+}
+
 impl Composer<'_> {
     /// coefficient·Π base^exponent as a sign and a positive body.
     pub fn product(&mut self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (Sign, Layout) {
@@ -68,6 +85,7 @@ impl Composer<'_> {
                 None => found.push(Factor::new(*base, exponent)),
             }
         }
+        merge_equal(&mut found);
         for i in 0..found.len() {
             if found[i].taken != Taken::Size || !found[i].exponent.abs().is_one() {
                 continue;
@@ -87,17 +105,22 @@ impl Composer<'_> {
     fn square_under(&self, base: Expr, exponent: &Rational) -> Option<(Rational, Vec<Factor>)> {
         let twice = (exponent * &Rational::from(2)).to_i64().filter(|n| n % 2 != 0)?;
         let Node::Product { coefficient, factors } = self.graph.node(base) else { return None };
-        let front = if coefficient.is_one() { Rational::ONE } else { coefficient.root(2)?.pow(twice)? };
+        let mut front = if coefficient.is_one() { Rational::ONE } else { coefficient.root(2)?.pow(twice)? };
         if !factors.iter().all(|(_, e)| e.to_i64().is_some_and(|n| n % 2 == 0)) {
             return None;
         }
-        let one = |(b, e): &(Expr, Rational)| {
+        let mut inner = Vec::with_capacity(factors.len());
+        for (b, e) in factors {
             let exponent = e * exponent;
             let even = exponent.to_i64().is_some_and(|n| n % 2 == 0);
-            let taken = if even || self.is_positive(*b) { Taken::Whole } else { Taken::Size };
-            Factor { taken, ..Factor::new(*b, &exponent) }
-        };
-        Some((front, factors.iter().map(one).collect()))
+            let known = self.printer.sign_of(*b);
+            if !even && known == Some(Sign::Minus) {
+                front = -&front;
+            }
+            let taken = if even || known.is_some() || self.is_positive(*b) { Taken::Whole } else { Taken::Size };
+            inner.push(Factor { taken, ..Factor::new(*b, &exponent) });
+        }
+        Some((front, inner))
     }
 
     /// Whether a formula of parameters is positive by their numbers.

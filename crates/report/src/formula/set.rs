@@ -2,7 +2,7 @@
 
 use super::layout::{Layout, Placement};
 use super::lines::Room;
-use super::{latex, lines, mathml, measure, text, typst};
+use super::{latex, lines, mathml, measure, omml, text, typst};
 
 /// A written form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,8 @@ pub enum Form {
     MathMl,
     /// Typst for math mode, without dollars.
     Typst,
+    /// Office MathML, an `<m:oMath>` element, in a block within `<m:oMathPara>`.
+    Omml,
 }
 
 /// A formula of a document.
@@ -50,7 +52,7 @@ impl Formula {
 pub(super) fn write(layout: &Layout, form: Form, placement: Placement, width: Option<usize>) -> String {
     let room = match form {
         Form::Text => Room { piece: text::piece_length, aligned: false },
-        Form::Latex | Form::MathMl | Form::Typst => Room { piece: measure::piece_length, aligned: true },
+        Form::Latex | Form::MathMl | Form::Typst | Form::Omml => Room { piece: measure::piece_length, aligned: true },
     };
     let lines = lines::split(layout, width.filter(|_| placement == Placement::Block), room);
     match form {
@@ -58,5 +60,6 @@ pub(super) fn write(layout: &Layout, form: Form, placement: Placement, width: Op
         Form::Latex => latex::lines(&lines),
         Form::MathMl => mathml::lines(&lines, placement),
         Form::Typst => typst::lines(&lines),
+        Form::Omml => omml::lines(&lines, placement),
     }
 }

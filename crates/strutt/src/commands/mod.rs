@@ -22,6 +22,7 @@ use crate::quantities;
 use mechanics::derive::Detail;
 use report::formats::Sheet;
 use std::sync::atomic::Ordering;
+use strutt::folder;
 use strutt::wording::Word;
 use studies::pipeline::{self, Calculation, Machine};
 use studies::{Extent, Failure, Results, Source};
@@ -79,7 +80,9 @@ fn open(model: &crate::args::Model, detail: Detail, console: &mut Console) -> Re
 fn page(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
     let Some(page) = console.page.and_then(|format| format.page()) else { return Ok(()) };
     let document = pipeline::document(calculation, Extent::Page, console.language);
-    console.out((page.write)(&document, &Sheet { width: console.width(), pictures: &[] }))
+    let bytes =
+        page.file(&document, &Sheet { width: console.width(), pictures: &[] }).map_err(|error| folder::undrawn("figure", &error))?;
+    console.out(bytes)
 }
 
 /// Whether the file has a study that computes numbers.

@@ -3,6 +3,7 @@
 use super::{Exit, inputs, judge};
 use crate::args;
 use crate::console::{Console, INTERRUPTED, listen_to_interrupts};
+use report::formats::{self, Format};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use strutt::wording::Word;
@@ -10,10 +11,11 @@ use strutt::{folder, pdf};
 use studies::Failure;
 use studies::failure::Misuse;
 use studies::pipeline;
+use words::Notice;
 
 pub fn run(args: &args::Report, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);
-    let format = console.page.unwrap_or(folder::PAGE);
+    let format = console.paged().map_err(|format| no_pages(&format).misuse())?.unwrap_or(folder::PAGE);
     if args.pdf {
         pdf::printed(format.name).map_err(Misuse::misuse)?;
     }
@@ -31,6 +33,18 @@ pub fn run(args: &args::Report, console: &mut Console) -> Result<Exit, Failure> 
     console.talk(&format!("{}{list}", console.say(Word::Written)));
     let least = if INTERRUPTED.load(Ordering::Relaxed) { Exit::Interrupted } else { Exit::Done };
     Ok(calculation.results.iter().fold(least, |exit, results| exit.worse(judge(results, console))))
+}
+
+/// A calculation has figures and formulas: formats of the terminal, of tables and of trees hold none.
+fn no_pages(format: &Format) -> Notice {
+    let fitting: Vec<&str> = formats::TABLE.iter().filter(|format| format.is_paged()).map(|format| format.name).collect();
+    let list = fitting.join(", ");
+    Notice::new(
+        "C073",
+        format!("a calculation is not written as {}", format.name),
+        format!("расчётная записка в формате {} не составляется", format.name),
+    )
+    .help(format!("use --format {list}"), format!("укажите --format и один из форматов: {list}"))
 }
 
 /// Folder and name of the file.

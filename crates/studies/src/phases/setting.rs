@@ -40,8 +40,8 @@ impl Setting {
 
     /// A result with its unit.
     pub fn result(&self, x: f64, unit: &str) -> Layout {
-        let unit = report::unit::beside_number(unit, self.language);
-        if unit.is_empty() { self.number(x) } else { Layout::Row(vec![self.number(x), Layout::Words(format!(" {unit}"))]) }
+        let unit = report::unit::print(unit, self.language);
+        if unit.is_empty() { self.number(x) } else { Layout::Row(vec![self.number(x), Layout::Words(format!("\u{a0}{unit}"))]) }
     }
 
     /// A chain left = a = b = ...

@@ -181,7 +181,8 @@ impl<'a> Writer<'a> {
         let mut right = Vec::new();
         for (i, f) in self.listed.forcing.iter().enumerate() {
             let index = self.index(i);
-            let wave = self.wave(f, &index, written, 0.0);
+            // the frequency keeps its letter: its number stands in the substitutions below
+            let wave = self.wave(f, &index, if f.delta == 0.0 { Written::Letters } else { written }, 0.0);
             let size = a * f.harmonic.h;
             right.push(if numbers {
                 self.set.term(size, vec![wave])

@@ -128,6 +128,9 @@ pub fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale
     }
 }
 
+/// Share of the largest value of a unit below which a value beside it is rounding.
+const NOISE: f64 = 1e-14;
+
 /// One row per quantity, one column per equilibrium.
 pub fn equilibria(data: &Dataset, language: Language) -> Table {
     let n = data.columns.first().map_or(0, |c| c.values.len());
@@ -150,9 +153,12 @@ pub fn equilibria(data: &Dataset, language: Language) -> Table {
         if matches!(column.quantity.name.as_str(), "residual" | "negative_directions") {
             continue;
         }
-        let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let alike = data.columns.iter().filter(|c| c.quantity.unit == column.quantity.unit && !c.quantity.unit.is_empty());
+        let noise = NOISE * alike.flat_map(|c| &c.values).fold(0.0_f64, |m, v| m.max(v.abs()));
+        let values: Vec<f64> = column.values.iter().map(|v| if v.abs() <= noise { 0.0 } else { *v }).collect();
+        let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let scale = scale(&column.quantity, largest);
-        let shown: Vec<f64> = column.values.iter().map(|v| v / scale.size).collect();
+        let shown: Vec<f64> = values.iter().map(|v| v / scale.size).collect();
         let symbol = if column.quantity.name == "growth" { Cell::words("Re λ") } else { Cell::symbol(&column.quantity.symbol) };
         let mut row = vec![symbol, Cell::words(scale.print(language))];
         row.extend(Cell::column(&shown, DIGITS, language));

@@ -106,7 +106,7 @@ fn data(machine: &Machine, language: Language) -> Table {
 
 /// A value as it is written, where a person wrote it; a computed one with five digits.
 pub(super) fn shown(written: &str, (number, unit): (Option<f64>, &str), language: Language) -> String {
-    let spaced = |number: String, unit: &str| report::number::with_unit(&number, &report::unit::beside_number(unit, language));
+    let spaced = |number: String, unit: &str| report::number::with_unit(&number, &report::unit::print(unit, language));
     if let Ok(quantity) = parse_number_or_quantity(written) {
         let own = written.trim_start_matches(|c: char| c.is_ascii_digit() || "+-−.,eE \u{a0}".contains(c));
         return spaced(report::number::short(quantity.number.to_f64(), DIGITS, language), own.trim());

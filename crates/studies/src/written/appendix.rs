@@ -30,7 +30,7 @@ pub(super) fn sources(work: &Work, pen: &mut Pen) {
 pub(super) fn model(work: &Work, pen: &mut Pen) {
     let source = &work.calculation.machine.origin.source;
     if !source.text.trim().is_empty() {
-        pen.blocks.push(Block::Verbatim(source.text.clone()));
+        pen.blocks.push(Block::Verbatim(super::listing::in_language(&source.text, work.language)));
     }
 }
 

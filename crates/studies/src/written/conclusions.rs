@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     let statements = work.calculation.results.iter().flat_map(|results| of_study(work, results));
-    let audits = work.calculation.audits();
+    let audits = super::verification::merged(work.calculation.audits());
     let checks = Statement::Checks { all: audits.len(), failed: audits.iter().filter(|a| !a.ok).count() };
     let held = statements.chain([checks]).filter(Statement::holds);
     for (i, statement) in held.enumerate() {
@@ -38,6 +38,8 @@ enum Statement {
     Regime { period: f64, stable: bool },
     /// (ω_max − ω_min)/ω_mean.
     Irregular { delta: f64 },
+    /// What a cycle needs: names, values with units as they are shown; for a wanted irregularity where there is one.
+    Needed { delta: Option<f64>, found: Vec<(String, f64, String)> },
     /// The checks of the calculation.
     Checks { all: usize, failed: usize },
 }
@@ -61,6 +63,9 @@ impl Statement {
             }
             Statement::Regime { period, .. } => *period > 0.0 && period.is_finite(),
             Statement::Irregular { delta } => *delta >= 0.0 && delta.is_finite(),
+            Statement::Needed { delta, found } => {
+                !found.is_empty() && found.iter().all(|(_, value, _)| value.is_finite()) && delta.is_none_or(|d| d > 0.0 && d.is_finite())
+            }
             Statement::Checks { all, failed } => *all > 0 && failed <= all,
         }
     }
@@ -106,6 +111,21 @@ impl Statement {
                 let delta = number(*delta);
                 language
                     .pick(format!("The irregularity of running is {delta}."), format!("Коэффициент неравномерности хода равен {delta}."))
+            }
+            Statement::Needed { delta, found } => {
+                let one =
+                    |(name, value, unit): &(String, f64, String)| format!("{name} = {}", report::number::with_unit(&number(*value), unit));
+                let list = found.iter().map(one).collect::<Vec<_>>().join("; ");
+                match delta.map(number) {
+                    Some(delta) => language.pick(
+                        format!("The wanted irregularity {delta} needs {list}."),
+                        format!("Для заданного коэффициента неравномерности {delta} требуется: {list}."),
+                    ),
+                    None => language.pick(
+                        format!("The balance of work over the cycle gives {list}."),
+                        format!("Из баланса работ за цикл найдено: {list}."),
+                    ),
+                }
             }
             Statement::Checks { all, failed: 0 } => {
                 language.pick(format!("All checks hold ({all})."), format!("Все проверки выполнены (всего {all})."))
@@ -168,9 +188,25 @@ fn of_study(work: &Work, results: &Results) -> Vec<Statement> {
             let stable = results.own.get("stable").and_then(serde_json::Value::as_bool);
             fact("period").zip(stable).map(|(period, stable)| Statement::Regime { period, stable }).into_iter().collect()
         }
-        "cycle" => fact("irregularity").map(|delta| Statement::Irregular { delta }).into_iter().collect(),
+        "cycle" => of_cycle(work, results),
         _ => Vec::new(),
     }
+}
+
+/// What was found of a cycle. A wanted irregularity is no result of the machine of the file, whose flywheel is another one.
+fn of_cycle(work: &Work, results: &Results) -> Vec<Statement> {
+    let study = work.model.studies.iter().find(|s| s.kind == "cycle");
+    let wanted = study.and_then(|s| s.number("irregularity"));
+    let sought = ["unknown", "flywheel"].map(|key| study.and_then(|s| s.word(key)));
+    let fact = |name: &str| results.facts.iter().find(|f| f.quantity.name == name);
+    let shown = |f: &crate::results::Fact| {
+        let scale = crate::results::tables::scale(&f.quantity, f.value.abs());
+        (report::symbol::plain(&f.quantity.symbol, work.language), f.value / scale.size, scale.print(work.language))
+    };
+    let found: Vec<_> = sought.into_iter().flatten().filter_map(fact).map(shown).collect();
+    let needed = (!found.is_empty()).then_some(Statement::Needed { delta: wanted, found });
+    let own = fact("irregularity").filter(|_| wanted.is_none()).map(|f| Statement::Irregular { delta: f.value });
+    needed.into_iter().chain(own).collect()
 }
 
 /// The least positive value.
@@ -228,6 +264,8 @@ mod tests {
                 Statement::Greatest { label: words::Text::same("x"), shown: (value, String::new()), t, beside: all.clone(), value },
                 Statement::Regime { period: value, stable: t > 0.0 },
                 Statement::Irregular { delta: value },
+                Statement::Needed { delta: Some(t), found: vec![("J".into(), value, "kg".into())] },
+                Statement::Needed { delta: None, found: all.iter().map(|v| ("x".to_owned(), *v, String::new())).collect() },
                 Statement::Rest { stable: decided.clone() },
             ];
             for statement in statements {
@@ -248,6 +286,11 @@ mod tests {
                         let has = |word: &str| words.split(|c: char| !c.is_alphabetic()).any(|w| w == word);
                         assert_eq!(has("stable"), stable.contains(&Some(true)), "{words}");
                         assert_eq!(has("unstable"), stable.contains(&Some(false)), "{words}");
+                    }
+                    Statement::Needed { delta, found } => {
+                        assert!(found.iter().all(|(_, v, _)| v.is_finite()) && !words.contains('–'), "{words}");
+                        assert_eq!(words.contains("wanted"), delta.is_some(), "{words}");
+                        assert!(delta.is_none_or(|d| d > 0.0), "{statement:?}");
                     }
                     _ => assert!(value >= 0.0),
                 }

@@ -7,9 +7,10 @@ use super::pen::{Pen, inline, words};
 use super::quantity::fitted;
 use super::statement::capital;
 use super::wording::Word;
-use mechanics::model::{Depth, Frame, Inertia};
+use mechanics::model::{ConnectionKind, Depth, Frame, Inertia};
 use report::document::{Inline, Rich};
-use report::formula::{Layout, Relation};
+use report::formula::{Layout, Relation, Sign};
+use symbolic::connections::{Law, Reaction, Rebound};
 use symbolic::equations::{Equality, Part, Step, StepFormula, StepName};
 use symbolic::{Expr, Node};
 
@@ -25,7 +26,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     }
     for results in work.results_of(Word::Dynamics) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+        pen.section(heading, |pen| pen.take(work.below(results), heading));
     }
 }
 
@@ -36,9 +37,9 @@ fn step<'a>(work: &Work<'a>, part: Part) -> Option<&'a Step> {
 impl Work<'_> {
     /// The formula of a step; bodies go by their numbers, springs by a letter.
     pub(super) fn step_formula(&self, formula: &StepFormula) -> Layout {
-        let StepName::Quantity { letter, index } = &formula.left else { return self.printer.step(&self.equations.graph, formula) };
+        let StepName::Quantity { letter, index } = &formula.left else { return self.own.step(&self.equations.graph, formula) };
         let left = StepName::Quantity { letter: letter.clone(), index: self.index_of(letter, index) };
-        self.printer.step(&self.equations.graph, &StepFormula { left, right: formula.right })
+        self.own.step(&self.equations.graph, &StepFormula { left, right: formula.right })
     }
 
     fn index_of(&self, letter: &str, name: &str) -> String {
@@ -86,7 +87,11 @@ fn kinetic(work: &Work, pen: &mut Pen) {
                 .pick("Massless bodies have no kinetic energy.", "Тела, массой которых пренебрегаем, кинетической энергии не имеют."),
         );
     }
-    definitions(work, pen);
+    let rights: Vec<Expr> = step.formulas.iter().map(|f| f.right).collect();
+    let occurring = work.equations.graph.symbols_in(&rights);
+    if work.equations.definitions.iter().any(|d| d.shown && occurring.binary_search(&d.symbol).is_ok()) {
+        definitions(work, pen);
+    }
 }
 
 /// The sentence before the kinetic energy of a body.
@@ -134,10 +139,7 @@ fn letters(work: &Work, law: &str) -> Layout {
 fn energy(work: &Work, part: Part, pen: &mut Pen) {
     let Some(step) = step(work, part) else { return };
     pen.say(match part {
-        Part::Potential => work.language.pick(
-            "The potential energy of gravity is m g h, that of a spring c δ²/2 with its elongation or turn δ:",
-            "Потенциальная энергия силы тяжести равна m g h, пружины – c δ²/2, где δ – её удлинение или угол закручивания:",
-        ),
+        Part::Potential => potential(work),
         _ => work.language.pick(
             "The dissipation function of a viscous damper is b u²/2 with the rate u of its elongation or turn:",
             "Диссипативная функция вязкого демпфера равна b u²/2, где u – скорость его удлинения или закручивания:",
@@ -145,6 +147,32 @@ fn energy(work: &Work, part: Part, pen: &mut Pen) {
     });
     for formula in step.formulas.iter().filter(|f| step.formulas.len() == 1 || !work.equations.graph.is_zero(f.right)) {
         pen.numbered(fitted(&work.printer, work.step_formula(formula)));
+    }
+}
+
+/// What the potential energy of this machine is made of.
+fn potential(work: &Work) -> &'static str {
+    let model = work.model;
+    let springs = model.elements.iter().any(|e| matches!(e.table, "springs" | "torsion_bars"));
+    let weight = model.gravity.is_some() && model.frames.iter().any(|f| f.is_body && f.mass.is_some());
+    let framed = model.structure.is_some();
+    match (weight, springs, framed) {
+        (true, true, _) => work.language.pick(
+            "The potential energy of gravity is m g h, that of a spring c δ²/2 with its elongation or turn δ:",
+            "Потенциальная энергия силы тяжести равна m g h, пружины – c δ²/2, где δ – её удлинение или угол закручивания:",
+        ),
+        (true, false, _) => {
+            work.language.pick("The potential energy of gravity is m g h:", "Потенциальная энергия силы тяжести равна m g h:")
+        }
+        (false, true, _) => work.language.pick(
+            "The potential energy of a spring is c δ²/2 with its elongation or turn δ:",
+            "Потенциальная энергия пружины равна c δ²/2, где δ – её удлинение или угол закручивания:",
+        ),
+        (false, false, true) => work.language.pick(
+            "The potential energy is that of the deformation of the rods, a quadratic form of the displacements:",
+            "Потенциальная энергия – энергия деформации стержней, квадратичная форма перемещений:",
+        ),
+        (false, false, false) => work.language.pick("The potential energy is", "Потенциальная энергия"),
     }
 }
 
@@ -176,7 +204,8 @@ fn forces(work: &Work, pen: &mut Pen) {
         let power = graph.sum(&terms);
         if !matches!(graph.node(power), Node::Number(_)) {
             let what = work.language.pick("Power of the load", "Мощность нагрузки");
-            pen.say(format!("{what} «{}»:", load.name()));
+            let name = work.load_name(&load.path);
+            pen.say(work.language.pick(format!("{what} “{name}”:"), format!("{what} «{name}»:")));
             let left = Layout::Symbol(work.printer.named("N"));
             let right = work.printer.layout(&graph, power);
             pen.formula(work.printer.block(Layout::Related(Box::new(left), Relation::Equal, Box::new(right))));
@@ -184,7 +213,7 @@ fn forces(work: &Work, pen: &mut Pen) {
     }
     pen.say(work.language.pick("Hence", "Отсюда"));
     for formula in &step.formulas {
-        pen.numbered(fitted(&work.printer, work.printer.step(&graph, formula)));
+        pen.numbered(fitted(&work.printer, work.own.step(&graph, formula)));
     }
 }
 
@@ -197,7 +226,7 @@ fn lagrange(work: &Work, pen: &mut Pen) {
         return;
     };
     if let Some(step) = step(work, Part::Derivatives) {
-        pen.say(work.text(&step.words));
+        law(work, step, pen);
         if work.model.report.depth == Depth::Full {
             derivatives(work, step, pen);
         }
@@ -208,7 +237,7 @@ fn lagrange(work: &Work, pen: &mut Pen) {
     }
     pen.say(work.language.pick("Equations of motion:", "Уравнения движения:"));
     for (i, equality) in textbook.iter().enumerate() {
-        pen.numbered(work.printer.block(work.printer.equality_layout(&work.equations.graph, *equality, Some(i))));
+        pen.numbered(work.printer.block(work.own.equality_layout(&work.equations.graph, *equality, Some(i))));
     }
     reactions(work, textbook, pen);
     let laws = crate::frictions::laws(work.equations, &work.printer);
@@ -216,7 +245,47 @@ fn lagrange(work: &Work, pen: &mut Pen) {
         pen.say(crate::wording::say(work.language, crate::wording::Word::FrictionLaws));
         laws.into_iter().for_each(|layout| pen.formula(work.printer.block(layout)));
     }
+    impacts(work, pen);
     definitions(work, pen);
+}
+
+/// d/dt ∂T/∂q' − ∂T/∂q = −∂Π/∂q − ∂Φ/∂q' + Q + R with the terms that the machine has, for its coordinate or for the i-th of several.
+fn law(work: &Work, step: &Step, pen: &mut Pen) {
+    let mut graph = work.equations.graph.clone();
+    let one = if let [only] = &work.equations.coordinates[..] { Some(only.symbols) } else { None };
+    let [q, rate] = [0, 1].map(|k: u8| {
+        let symbol = one.map_or_else(|| graph.symbol_id("q_i", k), |symbols| symbols[usize::from(k)]);
+        graph.symbol(symbol)
+    });
+    let index = if one.is_some() { "" } else { "i" };
+    let partial = |of: &str, by| work.printer.step_name(&graph, &StepName::Partial { of: of.into(), by });
+    let force = |letter: &str| {
+        let name = if index.is_empty() { letter.to_owned() } else { format!("{letter}_{index}") };
+        Layout::Symbol(work.printer.named(&name))
+    };
+    let momentum = work.printer.step_name(&graph, &StepName::TimeDerivativeOfPartial { of: "T".into(), by: rate });
+    let has = |term: &str| step.words.en.contains(term);
+    let terms = [
+        (has("∂Π"), Sign::Minus, partial("Π", q)),
+        (has("∂Φ"), Sign::Minus, partial("Φ", rate)),
+        (has("+ Q") || has("= Q"), Sign::Plus, force("Q")),
+        (has("+ R") || has("= R"), Sign::Plus, force("R")),
+    ];
+    let right: Vec<(Sign, Layout)> = terms.into_iter().filter(|t| t.0).map(|(_, sign, term)| (sign, term)).collect();
+    let right = if right.is_empty() { Layout::Number { mantissa: "0".into(), exponent: None } } else { Layout::Sum(right) };
+    let left = Layout::Sum(vec![(Sign::Plus, momentum), (Sign::Minus, partial("T", q))]);
+    pen.say(work.language.pick("Lagrange's equations of the second kind are", "Уравнения Лагранжа второго рода имеют вид"));
+    pen.formula(work.printer.block(Layout::Related(Box::new(left), Relation::Equal, Box::new(right))));
+    let reacting = has("+ R") || has("= R");
+    if reacting {
+        pen.say(
+            work.language
+                .pick("where R are the generalized forces of reactions and drives.", "где R – обобщённые силы реакций и приводов."),
+        );
+    }
+    if work.model.report.depth == Depth::Full {
+        pen.say(work.language.pick("The derivatives in them are:", "Входящие в них производные:"));
+    }
 }
 
 /// Derivatives that do not vanish, each on a line; the others in one.
@@ -224,7 +293,7 @@ fn derivatives(work: &Work, step: &Step, pen: &mut Pen) {
     let graph = &work.equations.graph;
     let (zero, other): (Vec<_>, Vec<_>) = step.formulas.iter().partition(|f| graph.is_zero(f.right));
     for formula in other {
-        pen.formula(fitted(&work.printer, work.printer.step(graph, formula)));
+        pen.formula(fitted(&work.printer, work.own.step(graph, formula)));
     }
     if zero.is_empty() {
         return;
@@ -258,7 +327,26 @@ fn reacting(work: &Work, pen: &mut Pen) {
         let right = graph.sum(terms);
         let index = graph.symbol_info(coordinate.symbols[0]).name.clone();
         let left = StepName::Quantity { letter: "R".into(), index };
-        pen.formula(work.printer.block(work.printer.step(&graph, &StepFormula { left, right })));
+        pen.formula(work.printer.block(work.own.step(&graph, &StepFormula { left, right })));
+    }
+}
+
+/// The law of every impact.
+fn impacts(work: &Work, pen: &mut Pen) {
+    for (at, connection) in work.model.connections.iter().enumerate() {
+        let ConnectionKind::Stop { restitution, rebound, .. } = &connection.kind else { continue };
+        let name = work.connection_name(at);
+        let law = match rebound {
+            Rebound::Newton => work.language.pick(
+                format!("Impact ({name}): the speed of approach u changes to u⁺ = −k u⁻ with the coefficient of restitution k = "),
+                format!("Удар ({name}): скорость сближения u меняется по закону u⁺ = −k u⁻ с коэффициентом восстановления k = "),
+            ),
+            Rebound::Poisson => work.language.pick(
+                format!("Impact ({name}): the impulse of the second phase is k times that of the first, k = "),
+                format!("Удар ({name}): импульс второй фазы удара в k раз больше импульса первой, k = "),
+            ),
+        };
+        pen.tell(vec![words(law), inline(work.printer.layout(&work.model.graph, *restitution)), words(".")]);
     }
 }
 
@@ -267,16 +355,48 @@ fn reactions(work: &Work, textbook: &[Equality], pen: &mut Pen) {
     let graph = &work.equations.graph;
     let sides: Vec<Expr> = textbook.iter().flat_map(|e| [e.left, e.right]).collect();
     let occurring = graph.symbols_in(&sides);
-    let named: Vec<_> = work.equations.reactions.iter().filter(|r| occurring.binary_search(&r.symbol).is_ok()).collect();
+    // the laws of friction name normal forces too
+    let pressing: Vec<usize> = (work.equations.reactions.iter())
+        .filter_map(|r| if let Law::Friction(friction) = &r.law { Some(friction) } else { None })
+        .flat_map(|friction| friction.components().flat_map(|normal| normal.terms.iter().map(|(k, _)| *k)).collect::<Vec<_>>())
+        .collect();
+    let listed = work.equations.reactions.iter().enumerate();
+    let named: Vec<_> =
+        listed.filter(|(k, r)| occurring.binary_search(&r.symbol).is_ok() || pressing.contains(k)).map(|(_, r)| r).collect();
     for (i, reaction) in named.iter().enumerate() {
         let lead = if i == 0 { format!("{} ", pen.word(Word::Where)) } else { String::new() };
         let end = if i + 1 == named.len() { "." } else { ";" };
         pen.tell(vec![
             words(lead),
             inline(work.printer.symbol_layout(graph, reaction.symbol)),
-            words(format!(" – {}{end}", work.text(&reaction.label))),
+            words(format!(" – {}{end}", in_words(work, reaction))),
         ]);
     }
+}
+
+/// "component of the reaction (pin B, along x)"; a label that says what it is stays.
+fn in_words(work: &Work, reaction: &Reaction) -> String {
+    const TOLD: [&str; 14] = [
+        "tension",
+        "force",
+        "friction",
+        "moment",
+        "difference",
+        "constraint",
+        "reaction",
+        "натяжение",
+        "усилие",
+        "сила",
+        "трение",
+        "момент",
+        "разность",
+        "реакция",
+    ];
+    let label = work.text(&reaction.label);
+    if matches!(reaction.law, Law::Motor | Law::Friction(_)) || TOLD.iter().any(|word| label.contains(word)) {
+        return label.to_owned();
+    }
+    work.language.pick(format!("component of the reaction ({label})"), format!("составляющая реакции ({label})"))
 }
 
 /// The two derivations against one another.

@@ -5,6 +5,7 @@ use super::pen::{inline, words};
 use super::wording::Word;
 use mechanics::model::{Connection, ConnectionKind, Element, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Slides, SupportDirection};
 use report::document::Rich;
+use report::formula::{Layout, Relation};
 use report::table::Column;
 use report::{Cell, Table};
 use symbolic::equations::{Part, StepName};
@@ -25,47 +26,17 @@ pub(super) enum Moves {
     InSpace,
 }
 
+/// Whether a body has a mass and no moment of inertia.
+fn is_point(frame: &Frame) -> bool {
+    frame.mass.as_ref().is_some_and(|m| matches!(m.inertia, Inertia::None))
+}
+
 impl Work<'_> {
     /// Numbers of bodies, by frame.
-    fn number(&self, frame: FrameId) -> Option<usize> {
+    pub(super) fn number(&self, frame: FrameId) -> Option<usize> {
         let frames = &self.model.frames;
         let bodies = frames[..=frame.index()].iter().filter(|f| f.is_body).count();
         frames[frame.index()].is_body.then_some(bodies)
-    }
-
-    /// "body 2 (crank)", "the ground".
-    pub(super) fn body(&self, frame: FrameId) -> String {
-        if frame == FrameId::GROUND {
-            return self.language.pick("the ground", "стойка").to_owned();
-        }
-        let name = &self.model.frames[frame.index()].name;
-        let label = self.text(&self.model.frames[frame.index()].label);
-        match self.number(frame) {
-            Some(n) if !label.is_empty() => format!("{} {n} ({label})", self.language.pick("body", "тело")),
-            Some(n) => format!("{} {n} («{name}»)", self.language.pick("body", "тело")),
-            None => format!("{} «{name}»", self.language.pick("the frame", "система отсчёта")),
-        }
-    }
-
-    /// The frame of a point.
-    fn frame_of(&self, point: PointRef) -> FrameId {
-        match point {
-            PointRef::Point(p) => self.model.points[p.index()].on,
-            PointRef::Origin(frame) | PointRef::Center(frame) => frame,
-        }
-    }
-
-    /// "point A of body 2".
-    fn point(&self, point: PointRef) -> String {
-        let body = self.body(self.frame_of(point));
-        match point {
-            PointRef::Point(p) => {
-                let name = &self.model.points[p.index()].name;
-                self.language.pick(format!("point {name} ({body})"), format!("точка {name} ({body})"))
-            }
-            PointRef::Origin(_) => self.language.pick(format!("the origin of {body}"), format!("начало осей: {body}")),
-            PointRef::Center(_) => self.language.pick(format!("the mass centre of {body}"), format!("центр масс: {body}")),
-        }
     }
 
     /// Whether a formula changes during the motion.
@@ -106,18 +77,25 @@ impl Work<'_> {
             Moves::Rests => self.language.pick("at rest", "неподвижно"),
             Moves::Translates => self.language.pick("translates", "движется поступательно"),
             Moves::Turns => self.language.pick("turns about a fixed axis", "вращается вокруг неподвижной оси"),
+            Moves::InPlane if is_point(frame) => {
+                self.language.pick("a point mass that moves in the plane", "материальная точка, движется в плоскости")
+            }
             Moves::InPlane => self.language.pick("moves in the plane", "совершает плоское движение"),
             Moves::InSpace => self.language.pick("moves in space", "движется в пространстве"),
         };
         let joined = match &frame.origin {
-            Origin::Point(p) if self.model.points[p.index()].on != frame.on => Some(self.point(PointRef::Point(*p))),
-            _ if frame.on != FrameId::GROUND => Some(self.body(frame.on)),
+            Origin::Point(p) if self.model.points[p.index()].on != frame.on => {
+                let point = &self.model.points[p.index()];
+                let (name, body) = (&point.name, self.with_body(point.on));
+                Some(self.language.pick(format!("joined with {body} at the point {name}"), format!("соединено с {body} в точке {name}")))
+            }
+            _ if frame.on != FrameId::GROUND => {
+                let (en, ru) = (self.body(frame.on), self.of_body(frame.on));
+                Some(self.language.pick(format!("its place counts from {en}"), format!("положение задано относительно {ru}")))
+            }
             _ => None,
         };
-        match joined {
-            Some(on) => format!("{how}; {} {on}", self.language.pick("carried by:", "опирается на:")),
-            None => how.to_owned(),
-        }
+        joined.map_or_else(|| how.to_owned(), |joined| format!("{how}; {joined}"))
     }
 
     fn formula(&self, e: Expr) -> Cell {
@@ -140,7 +118,12 @@ impl Work<'_> {
                 Cell::words(self.number(FrameId(i)).map_or(String::new(), |n| n.to_string())),
                 Cell::words(if self.text(&frame.label).is_empty() { &frame.name } else { self.text(&frame.label) }),
                 Cell::words(self.motion(frame)),
-                mass.map_or_else(none, |m| self.formula(m.mass)),
+                match (mass, &inertia) {
+                    (Some(m), _) => self.formula(m.mass),
+                    // a body about a fixed axis: its moment of inertia says all
+                    (None, Some(_)) => Cell::words("–"),
+                    (None, None) => none(),
+                },
                 inertia.unwrap_or_else(none),
             ]);
         }
@@ -151,8 +134,8 @@ impl Work<'_> {
     pub(super) fn connections(&self) -> Option<Table> {
         let heads = [Word::Connection, Word::What].map(|w| Column::new(self.language.word(w)));
         let mut table = Table::new(heads.into());
-        for connection in &self.model.connections {
-            table.row(vec![Cell::words(connection.name.clone()), Cell::words(self.demand(connection))]);
+        for (at, connection) in self.model.connections.iter().enumerate() {
+            table.row(vec![Cell::words(self.connection_name(at)), Cell::words(self.demand(connection))]);
         }
         (!table.rows.is_empty()).then_some(table)
     }
@@ -254,10 +237,13 @@ impl Work<'_> {
         let mut table = Table::new(heads.into());
         // the energy of a frame is no element of the file
         let framed = self.model.structure.is_some();
+        let mut told = String::new();
         for (_, element) in self.model.acting().into_iter().filter(|(_, e)| !(framed && e.table == "potentials" && e.span.is_empty())) {
-            let kind = mechanics::elements::TABLE.iter().find(|row| row.keys.name == element.table);
-            let kind = kind.map_or("", |row| self.language.pick(row.listed.0, row.listed.1));
-            let name = format!("{} ({kind})", element.name);
+            // a load in several parts is one load of the file
+            if std::mem::replace(&mut told, element.path.clone()) == element.path {
+                continue;
+            }
+            let name = super::statement::capital(&self.element_name(element));
             table.row(vec![Cell::words(name), Cell::Rich(Rich(self.law(element)))]);
         }
         (!table.rows.is_empty()).then_some(table)
@@ -296,7 +282,11 @@ impl Work<'_> {
                     })
                     .collect();
                 let power = graph.sum(&terms);
-                vec![words("N = "), inline(self.printer.layout(&graph, power))]
+                vec![inline(Layout::Related(
+                    Box::new(Layout::Symbol(self.printer.named("N"))),
+                    Relation::Equal,
+                    Box::new(self.printer.layout(&graph, power)),
+                ))]
             }
             _ => vec![words("–")],
         }

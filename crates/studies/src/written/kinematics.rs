@@ -5,8 +5,8 @@ use super::pen::{Pen, inline, words};
 use super::statement::capital;
 use super::wording::Word;
 use mechanics::model::Class;
-use report::document::Rich;
-use report::formula::Layout;
+use report::document::{Inline, Rich};
+use report::formula::{Bracket, Layout, Sign};
 use report::table::Column;
 use report::{Cell, Table};
 use words::Language;
@@ -18,7 +18,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     }
     for results in work.results_of(Word::Kinematics) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+        pen.section(heading, |pen| pen.take(work.below(results), heading));
     }
 }
 
@@ -64,9 +64,10 @@ fn freedoms(work: &Work, pen: &mut Pen) {
         pieces.push(words(work.language.pick("The place of the machine is given by ", "Положение механизма определяют координаты ")));
         pieces.extend(list);
         pieces.push(words(work.language.pick(
-            format!(" ({n} of them), tied by the equations of the connections ({tied}); the machine has {degrees}."),
-            format!(" (всего {n}), подчинённые уравнениям связей (их {tied}); механизм имеет {degrees}. Независимых координат столько же, остальные выражаются через них из уравнений связей."),
+            format!(" ({n} of them), tied by {tied} equations of the connections; the machine has {degrees}."),
+            format!(" (всего {n}), связанные уравнениями связей (их {tied}); механизм имеет {degrees}."),
         )));
+        pieces.extend(independent(work, free));
     }
     pen.tell(pieces);
     let caption = if work.model.frames.iter().any(|f| f.is_body) {
@@ -75,6 +76,26 @@ fn freedoms(work: &Work, pen: &mut Pen) {
         work.language.pick("coordinates", "координаты")
     };
     pen.table(coordinates(work), capital(caption));
+}
+
+/// Which coordinate is the generalized one, and that the others depend on it.
+fn independent(work: &Work, free: usize) -> Vec<Inline> {
+    let leading = super::machine::leading(work).filter(|_| free == 1);
+    let Some(leading) = leading else {
+        return vec![words(work.language.pick(
+            " As many of the coordinates are generalized ones, the others depend on them by the equations of the connections.",
+            " Обобщённых координат столько же, остальные – зависимые: они выражаются через них из уравнений связей.",
+        ))];
+    };
+    let symbol = work.printer.symbol_layout(&work.equations.graph, work.equations.coordinates[leading].symbols[0]);
+    vec![
+        words(work.language.pick(" The generalized coordinate is ", " Обобщённая координата – ")),
+        inline(symbol),
+        words(work.language.pick(
+            "; the others depend on it by the equations of the connections.",
+            "; остальные координаты – зависимые, они выражаются через неё из уравнений связей.",
+        )),
+    ]
 }
 
 fn coordinates(work: &Work) -> Table {
@@ -103,7 +124,7 @@ fn coordinates(work: &Work) -> Table {
 }
 
 fn conditions(work: &Work, pen: &mut Pen) {
-    let conditions = crate::document::conditions(work.equations, &work.printer);
+    let conditions = crate::document::conditions(work.equations, &work.own);
     if conditions.is_empty() {
         return;
     }
@@ -111,9 +132,54 @@ fn conditions(work: &Work, pen: &mut Pen) {
         if let Some(words) = when {
             pen.say(format!("{}:", capital(&words)));
         }
-        pen.numbered(work.printer.block(layout));
+        pen.numbered(work.printer.block(upright(layout)));
     }
+    work.told_signs(pen);
     definitions(work, pen);
+}
+
+/// −a − b = 0 as a + b = 0, and l − (l − s) − x = 0 as s − x = 0.
+fn upright(layout: Layout) -> Layout {
+    match layout {
+        Layout::Related(left, relation, right) => match *left {
+            Layout::Sum(terms) => {
+                let mut terms = cancelled(terms);
+                if terms.iter().all(|(sign, _)| *sign == Sign::Minus) {
+                    terms.iter_mut().for_each(|(sign, _)| *sign = Sign::Plus);
+                }
+                Layout::Related(Box::new(Layout::Sum(terms)), relation, right)
+            }
+            left => Layout::Related(Box::new(left), relation, right),
+        },
+        other => other,
+    }
+}
+
+/// Terms without brackets around sums, and without those that cancel.
+fn cancelled(terms: Vec<(Sign, Layout)>) -> Vec<(Sign, Layout)> {
+    let mut list: Vec<(Sign, Layout)> = Vec::new();
+    for (sign, term) in terms {
+        let inner = match term {
+            Layout::Fence(Bracket::Round, inner) if matches!(*inner, Layout::Sum(_)) => *inner,
+            other => other,
+        };
+        let parts = if let Layout::Sum(parts) = inner { parts } else { vec![(Sign::Plus, inner)] };
+        for (own, part) in parts {
+            let sign = if sign == own { Sign::Plus } else { Sign::Minus };
+            match list.iter().position(|(s, kept)| *s != sign && *kept == part) {
+                Some(at) => drop(list.remove(at)),
+                None => list.push((sign, part)),
+            }
+        }
+    }
+    if list.is_empty() {
+        list.push((Sign::Plus, Layout::Number { mantissa: "0".into(), exponent: None }));
+    }
+    // a positive term stands first
+    if let Some(at) = list.iter().position(|(sign, _)| *sign == Sign::Plus) {
+        list[..=at].rotate_right(1);
+    }
+    list
 }
 
 /// "where" with the formulas of named quantities.
@@ -121,10 +187,33 @@ pub(super) fn definitions(work: &Work, pen: &mut Pen) {
     let constant = |s| work.model.parameters.iter().any(|p| p.symbol == s && p.class == Class::Constant);
     let named = crate::document::named_definitions(work.equations, &work.printer);
     // constants stand among the data
-    let definitions: Vec<Layout> = named.into_iter().filter(|(s, _)| !constant(*s)).map(|(_, layout)| layout).collect();
+    let unit = |s| work.equations.definitions.iter().find(|d| d.symbol == s).map_or("", |d| d.unit.as_str());
+    let definitions: Vec<Layout> = (named.into_iter().filter(|(s, _)| !constant(*s)))
+        .map(|(s, layout)| super::quantity::cases_with_unit(layout, unit(s), work.language))
+        .collect();
     if definitions.is_empty() || std::mem::replace(&mut pen.defined, true) {
         return;
     }
     pen.say(pen.word(Word::Where));
     definitions.into_iter().for_each(|layout| pen.formula(work.printer.block(layout)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use report::document::Formula;
+
+    #[test]
+    fn conditions_begin_with_a_plus_and_keep_nothing_that_cancels() {
+        let letter = |name: &str| Layout::Symbol(report::formula::Printer::new(Language::En).named(name));
+        let shown = |terms: Vec<(Sign, Layout)>| {
+            let zero = Layout::Number { mantissa: "0".into(), exponent: None };
+            Formula::inline(upright(Layout::Related(Box::new(Layout::Sum(terms)), report::formula::Relation::Equal, Box::new(zero)))).text()
+        };
+        let (plus, minus) = (Sign::Plus, Sign::Minus);
+        let inner = Layout::Fence(Bracket::Round, Box::new(Layout::Sum(vec![(plus, letter("l")), (minus, letter("s"))])));
+        assert_eq!(shown(vec![(plus, letter("l")), (minus, inner), (minus, letter("x"))]), "s − x = 0");
+        assert_eq!(shown(vec![(minus, letter("a")), (minus, letter("b"))]), "a + b = 0");
+        assert_eq!(shown(vec![(minus, letter("a")), (plus, letter("b"))]), "b − a = 0");
+    }
 }

@@ -1,25 +1,41 @@
 //! Chapter 4, linearisation: the coefficients of the equations of small motions with their numbers; for one coordinate n, k and what follows from them.
 
 use super::Work;
-use super::pen::{Pen, inline, words};
+use super::pen::{Coefficients, Pen, inline, words};
 use super::quantity::{chain, line_at, with_unit};
 use crate::small::formulas;
-use report::formula::{Layout, Relation};
+use report::document::Inline;
+use report::formula::{Layout, Relation, Sign};
+use symbolic::equations::Coordinate;
 use symbolic::{Linear, Matrix, SymbolId};
 
 /// More coordinates than this are not written out.
 const LARGEST: usize = 4;
 
-pub(super) fn write(work: &Work, pen: &mut Pen) {
+/// The frequency of the load, where there is one, and its symbol in the file.
+pub(super) fn only_load(work: &Work, linear: &Linear, values: &[(SymbolId, f64)]) -> Option<(f64, Layout)> {
+    let [only] = &linear.loads[..] else { return None };
+    let find = |s: SymbolId| values.iter().find(|(n, _)| *n == s).map_or(f64::NAN, |(_, v)| *v);
+    let p = Some(linear.graph.evaluate(&[only.rate], &find)[0]).filter(|p| *p > 0.0 && p.is_finite())?;
+    let own = || Layout::Symbol(work.printer.named(&free(work, "p", p)));
+    Some((p, linear.graph.as_symbol(only.rate).map_or_else(own, |symbol| work.printer.symbol_layout(&linear.graph, symbol))))
+}
+
+pub(super) fn write(work: &Work, pen: &mut Pen) -> Option<Coefficients> {
     let study = work.model.studies.iter().find(|s| matches!(s.kind, "modes" | "response" | "transient"));
-    let Some(study) = study.filter(|_| work.model.structure.is_none()) else { return };
+    let study = study.filter(|_| work.model.structure.is_none())?;
     let n = work.equations.coordinates.len();
-    if n == 0 || n > LARGEST || study.word("about").is_some() {
-        return;
+    if n == 0 || study.word("about").is_some() {
+        return None;
     }
-    let Ok(small) = crate::small::about_rest(&work.calculation.machine, study.guess()) else { return };
+    let small = crate::small::about_rest(&work.calculation.machine, study.guess()).ok()?;
     if !small.machine.linear().conditions.is_empty() {
-        return;
+        let found = super::tied::write(work, &small, pen)?;
+        after(work, &found, pen);
+        return Some(found);
+    }
+    if n > LARGEST {
+        return None;
     }
     let exact = formulas::at_place(work.equations, &small);
     let linear = exact.unwrap_or_else(|| small.machine.linear().clone());
@@ -31,10 +47,12 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
         values.push((*symbol, value));
     }
     let title = work.language.pick("Linearisation about the equilibrium", "Линеаризация около положения равновесия");
-    pen.section(title, |pen| told(work, (&linear, &values, &small.place.q), pen));
+    let mut found = None;
+    pen.section(title, |pen| found = told(work, (&linear, &values, &small.place.q), pen));
+    found
 }
 
-fn told(work: &Work, (linear, values, place): (&Linear, &[(SymbolId, f64)], &[f64]), pen: &mut Pen) {
+fn told(work: &Work, (linear, values, place): (&Linear, &[(SymbolId, f64)], &[f64]), pen: &mut Pen) -> Option<Coefficients> {
     let graph = &work.equations.graph;
     let mut pieces = vec![words(work.language.pick("The equilibrium is ", "Положение равновесия: "))];
     for (i, (c, q)) in work.equations.coordinates.iter().zip(place).enumerate() {
@@ -42,21 +60,43 @@ fn told(work: &Work, (linear, values, place): (&Linear, &[(SymbolId, f64)], &[f6
         let symbol = work.printer.symbol_layout(graph, c.symbols[0]);
         pieces.push(inline(Layout::Related(Box::new(symbol), Relation::Equal, Box::new(with_unit(*q, &c.unit, work.language)))));
     }
-    let form = if place.len() == 1 { "a q'' + b q' + c q" } else { "" };
     pieces.push(words(work.language.pick(
         ". Near it T, Π and Φ are kept to the second order in deviations and rates; the coefficients of the linear equation",
         ". Вблизи него T, Π и Φ сохраняем с точностью до второго порядка по отклонениям и скоростям; коэффициенты линейных уравнений",
     )));
-    pieces.push(words(if form.is_empty() { ":".to_owned() } else { format!(" {form}:") }));
-    pen.tell(pieces);
-    match place.len() {
-        1 => one(work, (linear, values), pen),
-        _ => several(work, (linear, values), pen),
+    if let [only] = &work.equations.coordinates[..] {
+        pieces.push(words(" "));
+        pieces.push(inline(form(work, only, numbers(linear, values))));
     }
+    pieces.push(words(":"));
+    pen.tell(pieces);
+    if place.len() > 1 {
+        several(work, (linear, values), pen);
+        return None;
+    }
+    let found = one(work, (linear, values), pen);
+    after(work, &found, pen);
+    Some(found)
+}
+
+/// a, b, c of one coordinate.
+fn numbers(linear: &Linear, values: &[(SymbolId, f64)]) -> [f64; 3] {
+    let find = |s: SymbolId| values.iter().find(|(n, _)| *n == s).map_or(f64::NAN, |(_, v)| *v);
+    [&linear.mass, &linear.damping, &linear.stiffness].map(|matrix| linear.graph.evaluate(&[matrix.get(0, 0)], &find)[0])
+}
+
+/// a q'' + b q' + c q.
+pub(super) fn form(work: &Work, coordinate: &Coordinate, numbers: [f64; 3]) -> Layout {
+    let term = |(letter, k): (&str, usize)| {
+        let symbol = work.printer.symbol_layout(&work.equations.graph, coordinate.symbols[k]);
+        let letter = free(work, letter, numbers[2 - k]);
+        (Sign::Plus, Layout::Product(vec![Layout::Symbol(work.printer.named(&letter)), symbol]))
+    };
+    Layout::Sum([("a", 2), ("b", 1), ("c", 0)].map(term).to_vec())
 }
 
 /// Unit of a coefficient of a coordinate's acceleration, rate and deviation in the balance of that coordinate.
-fn units(unit: &str) -> [&'static str; 3] {
+pub(super) fn units(unit: &str) -> [&'static str; 3] {
     match unit {
         "rad" => ["kg m^2", "N m s/rad", "N m/rad"],
         "m" => ["kg", "N s/m", "N/m"],
@@ -64,43 +104,106 @@ fn units(unit: &str) -> [&'static str; 3] {
     }
 }
 
-/// a, b, c, n, k.
-fn one(work: &Work, (linear, values): (&Linear, &[(SymbolId, f64)]), pen: &mut Pen) {
+/// a, b, c.
+fn one(work: &Work, (linear, values): (&Linear, &[(SymbolId, f64)]), pen: &mut Pen) -> Coefficients {
     let units = units(&work.equations.coordinates[0].unit);
-    let letter = |name: &str| Layout::Symbol(work.printer.named(name));
-    let mut found = [0.0; 3];
+    let found = numbers(linear, values);
     for (k, (name, matrix)) in [("a", &linear.mass), ("b", &linear.damping), ("c", &linear.stiffness)].into_iter().enumerate() {
         let entry = matrix.get(0, 0);
-        let find = |s: SymbolId| values.iter().find(|(n, _)| *n == s).map_or(f64::NAN, |(_, v)| *v);
-        found[k] = linear.graph.evaluate(&[entry], &find)[0];
         if !linear.graph.is_zero(entry) {
-            pen.numbered(line_at(work, (letter(name), units[k]), (&linear.graph, entry), values));
+            let letter = Layout::Symbol(work.printer.named(&free(work, name, found[k])));
+            pen.numbered(line_at(work, (letter, units[k]), (&linear.graph, entry), values));
         }
     }
     let [a, b, c] = found;
+    Coefficients { a, b, c, p: only_load(work, linear, values) }
+}
+
+/// n, k and what follows from them.
+fn after(work: &Work, found: &Coefficients, pen: &mut Pen) {
+    let Coefficients { a, b, c, .. } = *found;
     if !(a > 0.0 && c > 0.0) {
         return;
     }
     let (n, k) = (b / (2.0 * a), (c / a).sqrt());
     if b > 0.0 {
-        damping(work, (a, b, n), pen);
+        damping(work, [a, b, n], pen);
     }
-    frequency(work, (a, c, k), pen);
+    frequency(work, [a, c, k], pen);
+    let decays = b > 0.0 && n < k && (n - k).abs() > 1e-9 * k;
+    pen.tell(case(work, [b, n, k]));
+    if decays {
+        decaying(work, (n, k), pen);
+    }
+}
+
+/// Which kind of free motion there is.
+fn case(work: &Work, [b, n, k]: [f64; 3]) -> Vec<Inline> {
     let language = work.language;
-    let number = |x: f64| report::number::short(x, 6, language);
-    pen.say(match () {
-        () if b == 0.0 => language.pick("There is no damping: the free oscillations are harmonic with the frequency k.".to_owned(), "Затухания нет: свободные колебания гармонические с частотой k.".to_owned()),
-        () if (n - k).abs() <= 1e-9 * k => language.pick("n = k: the damping is critical, the free motion does not oscillate.".to_owned(), "n = k: затухание критическое, свободное движение апериодическое.".to_owned()),
-        () if n > k => language.pick("n > k: the free motion does not oscillate.".to_owned(), "n > k: свободное движение апериодическое (большое сопротивление).".to_owned()),
-        () => {
-            let damped = (k * k - n * n).sqrt();
-            let (omega, period, decrement) = (number(damped), number(std::f64::consts::TAU / damped), number(std::f64::consts::TAU * n / damped));
-            language.pick(
-                format!("n < k: damped oscillations with the frequency k₁ = √(k² − n²) = {omega} rad/s, the period T₁ = 2π/k₁ = {period} s and the logarithmic decrement δ = n T₁ = {decrement}."),
-                format!("n < k: затухающие колебания с частотой k₁ = √(k² − n²) = {omega} рад/с, периодом T₁ = 2π/k₁ = {period} с и логарифмическим декрементом δ = n T₁ = {decrement}."),
-            )
+    let [own, other] = [("n", n), ("k", k)].map(|(letter, value)| Layout::Symbol(work.printer.named(&free(work, letter, value))));
+    let compared = |relation: Relation| inline(Layout::Related(Box::new(own.clone()), relation, Box::new(other.clone())));
+    let told = |en: &str, ru: &str| words(language.pick(en, ru));
+    match () {
+        () if b == 0.0 => {
+            let lead = told(
+                "There is no damping: the free oscillations are harmonic with the frequency ",
+                "Затухания нет: свободные колебания гармонические с частотой ",
+            );
+            vec![lead, inline(other.clone()), words(".")]
         }
-    });
+        () if (n - k).abs() <= 1e-9 * k => vec![
+            compared(Relation::Equal),
+            told(
+                ": the damping is critical, the free motion does not oscillate.",
+                ": затухание критическое, свободное движение апериодическое.",
+            ),
+        ],
+        () if n > k => vec![
+            compared(Relation::Greater),
+            told(": the free motion does not oscillate.", ": свободное движение апериодическое (большое сопротивление)."),
+        ],
+        () => vec![
+            compared(Relation::Less),
+            told(
+                ": damped oscillations; their frequency, period and logarithmic decrement are",
+                ": затухающие колебания; их частота, период и логарифмический декремент",
+            ),
+        ],
+    }
+}
+
+/// k_* = √(k² − n²), T_* = 2π/k_*, δ = n T_*.
+fn decaying(work: &Work, (n, k): (f64, f64), pen: &mut Pen) {
+    let damped = (k * k - n * n).sqrt();
+    let period = std::f64::consts::TAU / damped;
+    let letter = |name: &str, value: f64| Layout::Symbol(work.printer.named(&free(work, name, value)));
+    let digit = |text: &str| Layout::Number { mantissa: text.into(), exponent: None };
+    let square = |of: Layout| Layout::Power(Box::new(of), Box::new(digit("2")));
+    let root = |a: Layout, b: Layout| Layout::Root {
+        degree: 2,
+        radicand: Box::new(Layout::Sum(vec![(Sign::Plus, square(a)), (Sign::Minus, square(b))])),
+    };
+    let [own_n, own_k, own_damped, own_period] = [letter("n", n), letter("k", k), letter("k_*", damped), letter("T_*", period)];
+    let (formula, numbers) = (root(own_k, own_n.clone()), root(size(k, work), size(n, work)));
+    pen.numbered(chain(&work.printer, vec![own_damped.clone(), formula, numbers, with_unit(damped, "rad/s", work.language)]));
+    let turn = Layout::Product(vec![digit("2"), Layout::Symbol(work.printer.named("π"))]);
+    let whole = Layout::Fraction(Box::new(turn), Box::new(own_damped));
+    pen.numbered(chain(&work.printer, vec![own_period.clone(), whole, with_unit(period, "s", work.language)]));
+    let decrement = letter("δ", n * period);
+    pen.numbered(chain(&work.printer, vec![decrement, Layout::Product(vec![own_n, own_period]), size(n * period, work)]));
+}
+
+/// A letter for a quantity of this chapter: another one where the file uses it for something else.
+pub(super) fn free(work: &Work, letter: &str, value: f64) -> String {
+    let wanted = work.printer.shown(letter);
+    let same = |x: f64| (x - value).abs() <= 1e-9 * value.abs();
+    let number = |symbol: SymbolId| work.equations.parameters.iter().find(|p| p.symbol == symbol).map(|p| p.value);
+    let named = |name: &str| work.printer.shown(name) == wanted;
+    let taken = work.model.parameters.iter().any(|p| named(&p.name) && !p.number.or_else(|| number(p.symbol)).is_some_and(same))
+        || work.model.coordinates.iter().any(|c| named(&c.name))
+        || work.model.outputs.iter().any(|o| named(&o.name));
+    let other = work.language.pick("lin", "лин");
+    if taken { format!("{letter}_{other}") } else { letter.to_owned() }
 }
 
 fn size(x: f64, work: &Work) -> Layout {
@@ -108,23 +211,23 @@ fn size(x: f64, work: &Work) -> Layout {
 }
 
 /// n = b/(2a) = numbers = value.
-fn damping(work: &Work, (a, b, n): (f64, f64, f64), pen: &mut Pen) {
-    let letter = |name: &str| Layout::Symbol(work.printer.named(name));
+fn damping(work: &Work, [a, b, n]: [f64; 3], pen: &mut Pen) {
+    let letter = |name: &str, value: f64| Layout::Symbol(work.printer.named(&free(work, name, value)));
     let over = |above: Layout, below: Layout| {
         let two = Layout::Number { mantissa: "2".into(), exponent: None };
         Layout::Fraction(Box::new(above), Box::new(Layout::Product(vec![two, below])))
     };
-    let parts = vec![letter("n"), over(letter("b"), letter("a")), over(size(b, work), size(a, work)), with_unit(n, "1/s", work.language)];
-    pen.numbered(chain(&work.printer, parts));
+    let (formula, numbers) = (over(letter("b", b), letter("a", a)), over(size(b, work), size(a, work)));
+    pen.numbered(chain(&work.printer, vec![letter("n", n), formula, numbers, with_unit(n, "1/s", work.language)]));
 }
 
 /// k = √(c/a) = numbers = value.
-fn frequency(work: &Work, (a, c, k): (f64, f64, f64), pen: &mut Pen) {
-    let letter = |name: &str| Layout::Symbol(work.printer.named(name));
+fn frequency(work: &Work, [a, c, k]: [f64; 3], pen: &mut Pen) {
+    let letter = |name: &str, value: f64| Layout::Symbol(work.printer.named(&free(work, name, value)));
     let root =
         |above: Layout, below: Layout| Layout::Root { degree: 2, radicand: Box::new(Layout::Fraction(Box::new(above), Box::new(below))) };
-    let parts = vec![letter("k"), root(letter("c"), letter("a")), root(size(c, work), size(a, work)), with_unit(k, "rad/s", work.language)];
-    pen.numbered(chain(&work.printer, parts));
+    let (formula, numbers) = (root(letter("c", c), letter("a", a)), root(size(c, work), size(a, work)));
+    pen.numbered(chain(&work.printer, vec![letter("k", k), formula, numbers, with_unit(k, "rad/s", work.language)]));
 }
 
 /// Entries of M, B, C on and above the diagonal; where a matrix is not symmetric, all.

@@ -2,7 +2,7 @@
 
 use super::Work;
 use super::pen::{Pen, inline, words};
-use super::quantity::chain;
+use super::quantity::{chain, sum_with_unit};
 use report::formula::{Layout, Relation, SymbolClass};
 use symbolic::transfer::{Reduced, reduce};
 use symbolic::{Expr, Graph, Node, Rational, Substitution, SymbolId};
@@ -26,7 +26,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
 }
 
 /// The angle of the cycle, else the first coordinate with a given start or rate.
-fn leading(work: &Work) -> Option<usize> {
+pub(super) fn leading(work: &Work) -> Option<usize> {
     let coordinates = &work.equations.coordinates;
     let cycle = work.model.studies.iter().find_map(|s| s.coordinate("angle"));
     let asked = cycle.and_then(|angle| coordinates.iter().position(|c| c.symbols[0] == angle.symbol));
@@ -50,18 +50,14 @@ fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
     let graph = &reduced.graph;
     let coordinates = &work.equations.coordinates;
     let leading = &coordinates[reduced.leading];
-    let printer =
-        reduced.ratios.iter().fold(work.printer.clone(), |p, r| p.with_class(r.symbol, SymbolClass::Coordinate, r.coordinate as u32));
+    let printer = reduced.ratios.iter().fold(work.own.clone(), |p, r| p.with_class(r.symbol, SymbolClass::Coordinate, r.coordinate as u32));
     let symbol = |s: SymbolId| printer.symbol_layout(graph, s);
     pen.tell(vec![
-        words(work.language.pick(
-            "The machine has one degree of freedom: its leading coordinate is ",
-            "Механизм имеет одну степень свободы; обобщённая координата – ",
-        )),
+        words(work.language.pick("With the generalized coordinate ", "Обобщённая координата – ")),
         inline(symbol(leading.symbols[0])),
         words(work.language.pick(
-            ". The rates of the other coordinates follow from the equations of the connections by the transfer functions",
-            ". Скорости остальных координат выражаются через её скорость из уравнений связей при помощи передаточных функций",
+            " the rates of the dependent ones follow from the equations of the connections by the transfer functions",
+            ". Скорости зависимых координат выражаются через её скорость из уравнений связей при помощи передаточных функций",
         )),
     ]);
     for ratio in &reduced.ratios {
@@ -154,7 +150,6 @@ fn numbers(work: &Work, (graph, whole): (&Graph, Expr), name: &Layout, pen: &mut
     }
     let unit = if work.equations.coordinates.iter().any(|c| c.unit == "rad") { "kg m^2" } else { "kg" };
     let printer = work.printer.clone().rounded();
-    let right =
-        Layout::Row(vec![printer.layout(&graph, put), Layout::Words(format!("\u{a0}{}", report::unit::print(unit, work.language)))]);
+    let right = sum_with_unit(printer.layout(&graph, put), unit, work.language);
     pen.formula(chain(&printer, vec![name.clone(), right]));
 }

@@ -5,17 +5,24 @@
 
 mod appendix;
 mod conclusions;
+mod dimensionless;
 mod dynamics;
 mod facts;
 mod front;
+mod instants;
 mod kinematics;
 mod linear;
+mod listing;
 mod machine;
+mod names;
 mod pen;
 mod quantity;
 mod reactions;
+mod sentences;
+mod signs;
 mod statement;
 mod studied;
+mod tied;
 mod verification;
 mod wording;
 
@@ -24,9 +31,9 @@ use crate::results::{Extent, Results, View};
 use mechanics::Model;
 use mechanics::model::Depth;
 use pen::Pen;
-use report::formula::Printer;
+use report::formula::{Printer, Sign};
 use report::{Block, Document};
-use symbolic::Equations;
+use symbolic::{Equations, Expr};
 use wording::Word;
 use words::Language;
 
@@ -91,13 +98,19 @@ struct Work<'a> {
     equations: &'a Equations,
     language: Language,
     printer: Printer,
+    /// The same for formulas of the equations' own graph, with the signs that the motions keep.
+    own: Printer,
+    /// Expressions that keep their sign during all motions.
+    signs: Vec<(Expr, Sign)>,
 }
 
 impl<'a> Work<'a> {
     fn new(calculation: &'a Calculation, language: Language) -> Work<'a> {
         let machine = &calculation.machine;
         let printer = Printer::of(&machine.equations, language).with_width(LINE);
-        Work { calculation, model: &machine.model, equations: &machine.equations, language, printer }
+        let signs = signs::kept(calculation);
+        let own = printer.clone().with_signs(signs.clone());
+        Work { calculation, model: &machine.model, equations: &machine.equations, language, printer, own, signs }
     }
 
     /// The results of studies that a chapter tells.
@@ -105,8 +118,10 @@ impl<'a> Work<'a> {
         self.calculation.results.iter().filter(move |results| chapter_of(results.kind) == chapter)
     }
 
-    fn view(&self) -> View<'a> {
-        View { equations: self.equations, extent: Extent::Page, language: self.language }
+    /// What a study tells below its heading, in sentences.
+    fn below(&self, results: &Results) -> Vec<Block> {
+        let view = View { equations: self.equations, extent: Extent::Page, language: self.language };
+        sentences::Symbols::of(self).finished(results.below(&view))
     }
 
     /// Whether the machine has anything that moves or is held.

@@ -15,6 +15,14 @@ const FEW: usize = 5;
 /// Letters of appendices.
 const LETTERS: [(&str, &str); 4] = [("A", "А"), ("B", "Б"), ("C", "В"), ("D", "Г")];
 
+/// a q'' + b q' + c q of one degree of freedom, and the frequency of the only harmonic load with its symbol, rad/s.
+pub(super) struct Coefficients {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+    pub p: Option<(f64, Layout)>,
+}
+
 /// What is written, and the numbers so far.
 pub(super) struct Pen {
     pub language: Language,
@@ -29,6 +37,8 @@ pub(super) struct Pen {
     equations: usize,
     /// Whether the formulas of named quantities were written.
     pub defined: bool,
+    /// The linear equation, where there is one.
+    pub coefficients: Option<Coefficients>,
 }
 
 impl Pen {
@@ -44,6 +54,7 @@ impl Pen {
             tables: 0,
             equations: 0,
             defined: false,
+            coefficients: None,
         }
     }
 
@@ -136,11 +147,21 @@ impl Pen {
     /// Blocks of a study below its own heading: headings stand one level lower, tables without a caption take that of the study.
     pub fn take(&mut self, blocks: Vec<Block>, caption: &str) {
         let mut blocks = blocks.into_iter().peekable();
+        // a table without a caption takes that of what it stands under
+        let mut own = caption.to_owned();
         while let Some(block) = blocks.next() {
             match block {
-                Block::Heading { level, text } => self.blocks.push(Block::heading((level + 1).min(3), text)),
+                Block::Heading { level, text } => {
+                    own = capital(&text);
+                    self.blocks.push(Block::heading((level + 1).min(3), text));
+                }
                 Block::Table(mut table) => {
-                    let caption = table.caption.take().unwrap_or_else(|| titled(&table, caption, self.language));
+                    let told = self.language.pick("values of the quantities", "значения величин");
+                    let caption = match table.caption.take() {
+                        Some(given) if given == self.language.word(report::Word::Results) => format!("{caption}: {told}"),
+                        Some(given) => given,
+                        None => titled(&table, &own, self.language),
+                    };
                     self.table(table, caption);
                 }
                 Block::Figure(_) | Block::Bands(_) => {
@@ -153,7 +174,7 @@ impl Pen {
                 Block::Equation { formula, numbered: true } => {
                     self.numbered(formula);
                 }
-                Block::Details { blocks, .. } => self.take(blocks, caption),
+                Block::Details { blocks, .. } => self.take(blocks, &own),
                 other => self.blocks.push(other),
             }
         }
@@ -206,7 +227,17 @@ fn turned(table: &Table, language: Language) -> Table {
 /// The caption of a table that has none: that of its study, and what its first column says in words.
 fn titled(table: &Table, caption: &str, language: Language) -> String {
     let head = table.columns.first().map(|column| column.head.plain(language)).unwrap_or_default();
+    // "M: mass matrix" stands above the names of its rows
+    if let Some((letter, what)) = head.split_once(": ").filter(|(letter, _)| letter.chars().count() < 4) {
+        return format!("{} {letter}", capital(what));
+    }
     if head.chars().count() < 4 { caption.to_owned() } else { format!("{caption}: {}", lowered(&head)) }
+}
+
+/// The first letter large.
+pub(super) fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
 }
 
 /// The first letter small, unless the word is a symbol or an abbreviation.

@@ -12,9 +12,50 @@ const DIGITS: usize = 6;
 
 /// A value in print with its unit.
 pub(super) fn with_unit(x: f64, unit: &str, language: Language) -> Layout {
+    // an arc over a frequency is a time: nobody writes rad·s
+    let unit = if matches!(unit, "rad s" | "s rad") { "s" } else { unit };
     let unit = report::unit::print(unit, language);
     let number = value(x, DIGITS, language);
     if unit.is_empty() { number } else { Layout::Row(vec![number, Layout::Words(format!("\u{a0}{unit}"))]) }
+}
+
+/// name = {4; 8; 0} with the unit of the name, where the values are numbers; other formulas have it in their letters.
+pub(super) fn cases_with_unit(layout: Layout, unit: &str, language: Language) -> Layout {
+    let unit = report::unit::print(unit, language);
+    let number = |value: &Layout| match value {
+        Layout::Number { mantissa, .. } => Some(mantissa != "0"),
+        Layout::Sum(terms) => matches!(&terms[..], [(_, Layout::Number { .. })]).then_some(true),
+        _ => None,
+    };
+    let in_numbers = |right: &Layout| match right {
+        Layout::Cases(rows) => {
+            let found: Vec<Option<bool>> = rows.iter().map(|row| number(&row.value)).collect();
+            found.iter().all(Option::is_some) && found.contains(&Some(true))
+        }
+        other => number(other) == Some(true),
+    };
+    match layout {
+        Layout::Related(left, relation, right) if !unit.is_empty() && in_numbers(&right) => {
+            let right = Layout::Row(vec![*right, Layout::Words(format!("\u{a0}{unit}"))]);
+            Layout::Related(left, relation, Box::new(right))
+        }
+        other => other,
+    }
+}
+
+/// A sum with its unit behind the last term, so that the lines may break between the terms.
+pub(super) fn sum_with_unit(layout: Layout, unit: &str, language: Language) -> Layout {
+    let unit = report::unit::print(unit, language);
+    match layout {
+        other if unit.is_empty() => other,
+        Layout::Sum(mut terms) => {
+            if let Some((sign, last)) = terms.pop() {
+                terms.push((sign, Layout::Row(vec![last, Layout::Words(format!(",\u{a0}{unit}"))])));
+            }
+            Layout::Sum(terms)
+        }
+        other => Layout::Row(vec![other, Layout::Words(format!("\u{a0}{unit}"))]),
+    }
 }
 
 /// left = a = b = ...; what repeats the part before it is left out.
@@ -31,6 +72,10 @@ pub(super) fn chain(printer: &Printer, parts: Vec<Layout>) -> Formula {
 
 /// A formula on a line of its own; a fraction over a long sum, which no line break could part, is written term by term.
 pub(super) fn fitted(printer: &Printer, layout: Layout) -> Formula {
+    // 0,01 m (50 a + 13 b) is no number times an energy: each term has its own
+    if leads_decimal(&layout) {
+        return fitted(printer, term_by_term(layout));
+    }
     let formula = printer.block(layout);
     let room = formula.width.unwrap_or(usize::MAX);
     if formula.text().lines().all(|line| line.chars().count() <= room) {
@@ -39,15 +84,66 @@ pub(super) fn fitted(printer: &Printer, layout: Layout) -> Formula {
     printer.block(term_by_term(formula.layout))
 }
 
+/// Whether the right side is a decimal number times a sum.
+fn leads_decimal(layout: &Layout) -> bool {
+    let decimal = |f: &Layout| matches!(f, Layout::Number { mantissa, exponent: None } if mantissa.contains([',', '.']));
+    let sum = |f: &Layout| matches!(f, Layout::Fence(Bracket::Round, inner) if matches!(**inner, Layout::Sum(_)));
+    match layout {
+        Layout::Related(_, _, right) => leads_decimal(right),
+        Layout::Product(factors) => factors.first().is_some_and(decimal) && factors.iter().any(sum),
+        Layout::Fraction(above, _) => leads_decimal(above),
+        _ => false,
+    }
+}
+
+/// Numbers as one; none where it is 1.
+fn multiplied(numbers: Vec<Layout>) -> Vec<Layout> {
+    let parsed = |n: &Layout| match n {
+        Layout::Number { mantissa, exponent: None } => mantissa.replace(',', ".").parse::<f64>().ok(),
+        _ => None,
+    };
+    let values: Option<Vec<f64>> = numbers.iter().map(parsed).collect();
+    let Some(values) = values.filter(|values| values.len() > 1) else { return numbers };
+    let language = if numbers.iter().any(|n| matches!(n, Layout::Number { mantissa, .. } if mantissa.contains(','))) {
+        Language::Ru
+    } else {
+        Language::En
+    };
+    let whole: f64 = values.iter().product();
+    if (whole - 1.0).abs() <= f64::EPSILON { Vec::new() } else { vec![value(whole, DIGITS, language)] }
+}
+
 fn term_by_term(layout: Layout) -> Layout {
     match layout {
         Layout::Related(left, relation, right) => Layout::Related(left, relation, Box::new(term_by_term(*right))),
         Layout::Fraction(above, below) => {
             let parts = if let Layout::Product(factors) = *above { factors } else { vec![*above] };
-            distributed(parts, &|term| Layout::Fraction(Box::new(term), below.clone()))
+            distributed(parts, &|term| reduced(term, &below))
         }
         Layout::Product(factors) => distributed(factors, &|term| term),
         other => other,
+    }
+}
+
+/// above/below with the whole numbers in front as small as they can be: 6 m/2 is 3 m.
+fn reduced(above: Layout, below: &Layout) -> Layout {
+    let whole = |layout: &Layout| match layout {
+        Layout::Number { mantissa, exponent: None } => mantissa.parse::<u64>().ok().filter(|n| *n > 0),
+        _ => None,
+    };
+    let digits = |n: u64| Layout::Number { mantissa: n.to_string(), exponent: None };
+    let mut factors = if let Layout::Product(factors) = above { factors } else { vec![above] };
+    let (Some(n), Some(d)) = (factors.first().and_then(whole), whole(below)) else {
+        return Layout::Fraction(Box::new(product(factors)), Box::new(below.clone()));
+    };
+    let common = (1..=n.min(d)).rev().find(|k| n % k == 0 && d % k == 0).unwrap_or(1);
+    match n / common {
+        1 if factors.len() > 1 => drop(factors.remove(0)),
+        rest => factors[0] = digits(rest),
+    }
+    match d / common {
+        1 => product(factors),
+        rest => Layout::Fraction(Box::new(product(factors)), Box::new(digits(rest))),
     }
 }
 
@@ -67,14 +163,21 @@ fn distributed(mut factors: Vec<Layout>, finish: &dyn Fn(Layout) -> Layout) -> L
     let one = |term: Layout| {
         let more = if let Layout::Product(inner) = term { inner } else { vec![term] };
         // the number of a term stands before everything else
-        let (numbers, letters): (Vec<_>, Vec<_>) = more.into_iter().partition(|f| matches!(f, Layout::Number { .. }));
-        finish(product(numbers.into_iter().chain(factors.iter().cloned()).chain(letters).collect()))
+        let number = |f: &Layout| matches!(f, Layout::Number { .. });
+        let (own, letters): (Vec<_>, Vec<_>) = more.into_iter().partition(number);
+        let (front, others): (Vec<_>, Vec<_>) = factors.iter().cloned().partition(number);
+        let numbers = multiplied(front.into_iter().chain(own).collect());
+        finish(product(numbers.into_iter().chain(others).chain(letters).collect()))
     };
     Layout::Sum(terms.into_iter().map(|(sign, term)| (sign, one(term))).collect())
 }
 
 fn product(mut factors: Vec<Layout>) -> Layout {
-    if factors.len() == 1 { factors.remove(0) } else { Layout::Product(factors) }
+    match factors.len() {
+        0 => Layout::Number { mantissa: "1".into(), exponent: None },
+        1 => factors.remove(0),
+        _ => Layout::Product(factors),
+    }
 }
 
 /// name = formula = substitution = value unit, the numbers those of the parameters.
@@ -86,8 +189,12 @@ pub(super) fn line(work: &Work, (name, unit): (Layout, &str), (graph, formula): 
 pub(super) fn line_at(work: &Work, (name, unit): (Layout, &str), (graph, formula): (&Graph, Expr), values: &[(SymbolId, f64)]) -> Formula {
     let known = |s: SymbolId| values.iter().find(|(known, _)| *known == s).map_or(f64::NAN, |(_, value)| *value);
     let number = graph.evaluate(&[formula], &known)[0];
-    let result = with_unit(number, unit, work.language);
     let mut parts = vec![name, work.printer.layout(graph, formula)];
+    // what changes with time has no number
+    if !number.is_finite() {
+        return chain(&work.printer, parts);
+    }
+    let result = with_unit(number, unit, work.language);
     if graph.as_symbol(formula).is_none() {
         parts.push(work.printer.clone().with_values(values.to_vec()).layout(graph, formula));
     }
@@ -115,4 +222,48 @@ fn values(work: &Work) -> Vec<(SymbolId, f64)> {
         }
     }
     known
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fraction_written_term_by_term_is_in_its_lowest_terms() {
+        let number = |n: &str| Layout::Number { mantissa: n.into(), exponent: None };
+        let letter = |name: &str| Layout::Symbol(Printer::new(Language::En).named(name));
+        let shown = |n: &str, d: &str| Formula::inline(reduced(Layout::Product(vec![number(n), letter("m")]), &number(d))).text();
+        assert_eq!(shown("6", "2"), "3 m");
+        assert_eq!(shown("9", "2"), "9 m/2");
+        assert_eq!(shown("2", "2"), "m");
+        assert_eq!(shown("4", "6"), "2 m/3");
+    }
+
+    #[test]
+    fn a_decimal_before_a_sum_goes_into_its_terms() {
+        let number = |n: &str| Layout::Number { mantissa: n.into(), exponent: None };
+        let printer = Printer::new(Language::Ru);
+        let letter = |name: &str| Layout::Symbol(printer.named(name));
+        let sum = Layout::Sum(vec![
+            (Sign::Plus, Layout::Product(vec![number("50"), letter("a")])),
+            (Sign::Minus, Layout::Product(vec![number("13"), letter("b")])),
+        ]);
+        let right = Layout::Product(vec![number("0,01"), letter("m"), Layout::Fence(Bracket::Round, Box::new(sum))]);
+        let layout = Layout::Related(Box::new(letter("T")), Relation::Equal, Box::new(right));
+        assert_eq!(fitted(&printer, layout).text(), "T = 0,5 m a − 0,13 m b");
+    }
+
+    #[test]
+    fn constants_over_a_switch_carry_the_unit_and_formulas_do_not() {
+        let number = |n: &str| Layout::Number { mantissa: n.into(), exponent: None };
+        let letter = |name: &str| Layout::Symbol(Printer::new(Language::En).named(name));
+        let cases = |values: [Layout; 2]| {
+            let rows = values.map(|value| report::formula::Row { value, condition: letter("t") });
+            Layout::Related(Box::new(letter("M")), Relation::Equal, Box::new(Layout::Cases(rows.to_vec())))
+        };
+        let shown = |layout: Layout| Formula::inline(cases_with_unit(layout, "N m", Language::Ru)).text();
+        assert!(shown(cases([number("4"), number("0")])).ends_with("Н·м"));
+        assert!(!shown(cases([letter("a"), number("0")])).contains("Н·м"));
+        assert!(!shown(cases([number("0"), number("0")])).contains("Н·м"));
+    }
 }

@@ -93,6 +93,7 @@ fn jumps(work: &Work, results: &Results, columns: &[(usize, &Output)], pen: &mut
             (a - b).abs() > 1e-9 * a.abs().max(b.abs())
         })
     };
+    let all = columns;
     let columns: Vec<_> = columns.iter().filter(|(i, _)| leaps(*i)).collect();
     if columns.is_empty() {
         return;
@@ -111,7 +112,8 @@ fn jumps(work: &Work, results: &Results, columns: &[(usize, &Output)], pen: &mut
         for (i, _) in &columns {
             for side in &event.outputs {
                 let value = place(*i).and_then(|k| side.get(k).copied()).unwrap_or(f64::NAN);
-                row.push(Cell::number(value, DIGITS, work.language));
+                let noise = NOISE * largest(results, all, &results.data.columns[*i].quantity.unit);
+                row.push(Cell::number(if value.abs() <= noise { 0.0 } else { value }, DIGITS, work.language));
             }
         }
         table.row(row);

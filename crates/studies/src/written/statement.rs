@@ -1,6 +1,7 @@
 //! Chapter 1: what is given, what is wanted, what is assumed, the data.
 
 use super::Work;
+pub(super) use super::pen::capital;
 use super::pen::{Pen, inline, lowered, words};
 use super::quantity;
 use super::wording::Word;
@@ -9,6 +10,7 @@ use mechanics::model::{Class, ConnectionKind, ParameterValue};
 use report::Block;
 use report::document::{Inline, Rich};
 use symbolic::Node;
+use symbolic::equations::Parameter;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     pen.section(pen.word(Word::Given), |pen| given(work, pen));
@@ -29,12 +31,6 @@ fn given(work: &Work, pen: &mut Pen) {
     if let Some(structure) = &work.model.structure {
         super::studied::structure(work, structure, pen);
     }
-}
-
-/// The first letter large.
-pub(super) fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
 }
 
 /// What is asked: the studies of the file, in the order of the file, equal ones once.
@@ -150,10 +146,40 @@ fn typeset(work: &Work, table: &mut report::Table) {
     }
 }
 
+/// Takes out what was computed from the rods of a frame: it is not given.
+fn apart(work: &Work, table: &mut report::Table) -> Option<report::Table> {
+    let text = &work.calculation.machine.origin.source.text;
+    let given = |name: &str| text.lines().any(|line| line.trim_start().starts_with(name));
+    let own = |p: &Parameter| p.label.en.ends_with(" of the frame") && !given(&work.equations.graph.symbol_info(p.symbol).name);
+    let computed: Vec<bool> = work.equations.parameters.iter().map(|p| work.model.structure.is_some() && own(p)).collect();
+    if !computed.contains(&true) {
+        return None;
+    }
+    // nobody wrote them: symbol, value, unit, description
+    let columns = table.columns.iter().enumerate().filter(|(i, _)| *i != 1).map(|(_, column)| column.clone());
+    let mut taken = report::Table::new(columns.collect());
+    for (mut row, computed) in std::mem::take(&mut table.rows).into_iter().zip(computed) {
+        if computed {
+            row.remove(1);
+            taken.row(row);
+        } else {
+            table.row(row);
+        }
+    }
+    Some(taken)
+}
+
 fn data(work: &Work, pen: &mut Pen) {
     if let Some(mut table) = crate::document::parameters(work.equations, work.language) {
         typeset(work, &mut table);
-        pen.table(table, capital(work.language.pick("given quantities", "исходные данные")));
+        let computed = apart(work, &mut table);
+        if !table.rows.is_empty() {
+            pen.table(table, capital(work.language.pick("given quantities", "исходные данные")));
+        }
+        if let Some(computed) = computed {
+            let caption = ("Coefficients of the frame, found from its rods", "Коэффициенты рамы, найденные по её стержням");
+            pen.table(computed, work.language.pick(caption.0, caption.1));
+        }
     }
     let derived: Vec<_> = work.model.parameters.iter().filter(|p| p.class == Class::Constant && p.number.is_some()).collect();
     let formulas: Vec<Block> = derived

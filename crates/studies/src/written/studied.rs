@@ -16,11 +16,11 @@ pub(super) fn told(work: &Work, chapter: Word, pen: &mut Pen) {
     if let [only] = work.results_of(chapter).collect::<Vec<_>>()[..]
         && work.text(&only.heading) == pen.word(chapter)
     {
-        return pen.take(only.below(&work.view()), pen.word(chapter));
+        return pen.take(work.below(only), pen.word(chapter));
     }
     for results in work.results_of(chapter) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+        pen.section(heading, |pen| pen.take(work.below(results), heading));
     }
 }
 
@@ -30,16 +30,22 @@ pub(super) fn sections(work: &Work, pen: &mut Pen) {
 }
 
 pub(super) fn free(work: &Work, pen: &mut Pen) {
-    super::linear::write(work, pen);
+    pen.coefficients = super::linear::write(work, pen);
     told(work, Word::Free, pen);
 }
 
 pub(super) fn forced(work: &Work, pen: &mut Pen) {
     told(work, Word::Forced, pen);
+    if let Some(found) = pen.coefficients.take() {
+        super::dimensionless::write(work, &found, pen);
+    }
 }
 
 pub(super) fn motion(work: &Work, pen: &mut Pen) {
     told(work, Word::Motion, pen);
+    for results in work.results_of(Word::Motion) {
+        super::instants::of_motion(work, results, pen);
+    }
 }
 
 pub(super) fn regime(work: &Work, pen: &mut Pen) {
@@ -55,8 +61,14 @@ pub(super) fn structure(work: &Work, structure: &Structure, pen: &mut Pen) {
         Column::with_unit("x", "m", work.language),
         Column::with_unit("y", "m", work.language),
     ]);
+    let lumped = structure.nodes.iter().any(|node| !work.model.graph.is_zero(node.mass));
+    if lumped {
+        nodes.columns.push(Column::with_unit(pick("Lumped mass", "Сосредоточенная масса"), "kg", work.language));
+    }
     for node in &structure.nodes {
-        nodes.row(vec![Cell::words(node.name.clone()), formula(node.at[0]), formula(node.at[1])]);
+        let mass = if work.model.graph.is_zero(node.mass) { Cell::words("–") } else { formula(node.mass) };
+        let row = [Cell::words(node.name.clone()), formula(node.at[0]), formula(node.at[1])];
+        nodes.row(row.into_iter().chain(lumped.then_some(mass)).collect());
     }
     pen.table(nodes, capital(pick("nodes of the structure", "узлы конструкции")));
     let heads = [

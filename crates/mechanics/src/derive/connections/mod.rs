@@ -112,8 +112,9 @@ impl Connected {
         scene: &mut Scene,
         kinematics: &mut Kinematics,
         resolver: &mut Resolver,
-        (index, connection, component): (usize, &Connection, Component),
+        (index, connection, mut component): (usize, &Connection, Component),
     ) -> Found<()> {
+        component.label = connection.named(&component.label);
         let shape = shape(scene, &component);
         let symbol = component.part.map(|_| self.name(scene, component.letter, &connection.name));
         let acting = self.reactions.len();

@@ -32,13 +32,14 @@ pub(in crate::read) fn distributed<'a>(
         }
         let Some(load) = load(reader, &fields, space) else { continue };
         let whole = format!("distributed.{name}");
+        let label = fields.text(reader, "label").unwrap_or_default();
         for (part, (at, value)) in resultants(reader, &load).into_iter().enumerate() {
             let name = if load.end.is_none() { name.clone() } else { format!("{name}{}", part + 1) };
             let id = PointId(known + found.1.len());
             found.1.push(Point { name: name.clone(), on: load.on, at, span: fields.span.clone() });
             let force = Force::AtPoint { at: PointRef::Point(id), value, axes: load.axes };
             let part = element("forces", name, force, fields.span.clone());
-            found.0.push(Element { path: whole.clone(), ..part });
+            found.0.push(Element { path: whole.clone(), label: label.clone(), ..part });
         }
     }
     found

@@ -42,7 +42,8 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space)
             };
             reader.scope.declare_connection(table, &name, connections.len(), found.parts);
             let unit = unit_of(found.force);
-            connections.push(Connection { name, table, kind: found.kind, unit, span: fields.span.clone() });
+            let label = fields.text(reader, "label").unwrap_or_default();
+            connections.push(Connection { name, table, label, kind: found.kind, unit, span: fields.span.clone() });
         }
     }
     connections
