@@ -6,6 +6,7 @@ use symbolic::Expr;
 use words::digits::{number, rounded};
 use words::{Message, Notice, Text};
 
+pub mod bends;
 pub mod connections;
 pub mod loads;
 pub(crate) mod small;

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+mod bend;
 mod bilateral;
 mod conditions;
 mod flows;
@@ -9,6 +10,7 @@ mod hidden;
 mod impact;
 mod impulses;
 mod jolt;
+mod leap;
 mod meaning;
 mod open;
 mod parts;
@@ -97,6 +99,8 @@ pub struct Machine {
     start: Option<Vec<f64>>,
     /// For each output a reaction in it that is not unique.
     refused: Vec<Option<Refusal>>,
+    /// Whether formulas of places have switches.
+    is_bent: bool,
     /// Reactions that rigid bodies leave open all the time.
     undetermined: Vec<usize>,
     notes: Vec<Text>,
@@ -198,6 +202,7 @@ impl Machine {
             balanced: if program.reactions > 0 { (0..equations.second.len()).collect() } else { Vec::new() },
             start: None,
             refused: vec![None; program.outputs.roots.len()],
+            is_bent: connections::is_bent(equations),
             undetermined: Vec::new(),
             notes: Vec::new(),
             lowered: None,
@@ -673,6 +678,10 @@ impl System for Machine {
 
     fn impulses(&self) -> &[Quantity] {
         &self.impulses
+    }
+
+    fn bend(&mut self, t: f64, x: &[f64], modes: [&[Mode]; 2]) -> Result<Vec<usize>, Fault> {
+        if self.is_bent { self.pass_bend((t, x), modes) } else { Ok(Vec::new()) }
     }
 
     fn jolt(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {

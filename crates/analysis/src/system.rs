@@ -549,6 +549,14 @@ pub trait System {
         Ok(0)
     }
 
+    /// Contacts, by guard, whose gap jumps open where the modes change from the first to the second, positions and rates of the coordinates running on.
+    ///
+    /// *Errors*: a place or a velocity that jumps otherwise with a formula of places.
+    fn bend(&mut self, t: f64, x: &[f64], modes: [&[Mode]; 2]) -> Result<Vec<usize>, Fault> {
+        let _ = (t, x, modes);
+        Ok(Vec::new())
+    }
+
     /// Moves the rates over a jump of prescribed velocities where the modes change from the first to the second: momenta jump by impulses of connections,
     /// contacts and frictions alone. `closing` are the contacts on their surfaces. None where nothing jumps.
     ///

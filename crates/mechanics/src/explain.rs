@@ -3,6 +3,7 @@
 //! One row a code; a test checks that every code of the reader has a row and that every row is used. Later stages add a table of their
 //! own to [`TABLES`] (those of `derive` begin with M1).
 
+mod axes;
 mod events;
 mod linear;
 mod names;
@@ -11,6 +12,7 @@ mod studies;
 mod texts;
 mod variants;
 
+pub use axes::AXES;
 pub use events::EVENTS;
 pub use linear::LINEAR;
 pub use names::NAMES;
@@ -35,6 +37,7 @@ const ROOMS: &[&[Explanation]] = &[
     TEXTS,
     NAMES,
     VARIANTS,
+    AXES,
     crate::derive::EXPLANATIONS,
     crate::structure::EXPLANATIONS,
     crate::section::EXPLANATIONS,

@@ -97,3 +97,20 @@ fn statics_gives_reactions_and_degrees() {
     assert!((of("force_x(A)") - 5000.0).abs() < PUBLISHED && (of("force_y(A)") - 14_830.127_018_922_193).abs() < PUBLISHED);
     assert!(value["reactions"].as_array().unwrap().iter().all(|r| r["unit"].is_string()));
 }
+
+/// Rows at switches are those of the same motion, jumps and their impulses included.
+#[test]
+fn rows_at_events_and_switches_are_those_of_simulate() {
+    let path = folder("inverse-switches").join("model.toml");
+    let model = "[coordinates]\np = \"rad\"\n[bodies.arm]\nangle = \"p\"\nmass = \"2 kg\"\ncenter = [\"0.3 m\", 0]\ninertia = \"0.1 kg m^2\"\n\
+        [motions.p]\nalong = \"p\"\nrate = \"if(t < 0.5 [s], 1 [rad/s], 2 [rad/s])\"\n[motors.P]\nalong = \"p\"\n[outputs]\nM = \"force(P)\"\n\
+        [[study]]\nkind = \"inverse\"\nuntil = \"1 s\"\nevery = \"0.25 s\"\noutputs = [\"p\", \"M\"]\n";
+    std::fs::write(&path, model).unwrap();
+    for option in ["--events", "--switches"] {
+        let [asked, usual] = ["inverse", "simulate"].map(|study| stdout(strutt().arg(study).arg(&path).args([option, "--csv"])));
+        assert_eq!(asked, usual, "{option}");
+        assert!(asked.contains("0.5"), "{asked}");
+    }
+    let plain = stdout(strutt().arg("inverse").arg(&path).arg("--csv"));
+    assert_ne!(plain, stdout(strutt().arg("inverse").arg(&path).args(["--switches", "--csv"])));
+}

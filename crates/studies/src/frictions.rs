@@ -33,8 +33,14 @@ fn law(equations: &Equations, graph: &mut Graph, friction: &Friction, symbol: Sy
         graph.switch(friction.sliding, Edge::Open, forth, against)
     };
     let force = graph.symbol(symbol);
-    let limit = graph.mul(friction.fixed, size);
+    let limit = limit(equations, graph, friction);
     [Equality { left: force, right: sliding }, Equality { left: graph.call(Function::Abs, &[force]), right: limit }]
+}
+
+/// μ₀ |N|.
+pub(crate) fn limit(equations: &Equations, graph: &mut Graph, friction: &Friction) -> Expr {
+    let size = pressure(equations, graph, friction);
+    graph.mul(friction.fixed, size)
 }
 
 /// |N|, one where the law is a force.

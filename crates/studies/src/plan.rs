@@ -79,16 +79,26 @@ pub fn pushes(model: &Model, equations: &Equations) -> Vec<Push> {
         let holder = push_output(name);
         let output = equations.outputs.iter().position(|o| o.name == holder)?;
         let label = equations.outputs[output].label.clone();
-        Some(Push { name: format!("normal({name})"), label, output, beyond: Beyond::Noted })
+        Some(Push { name: format!("normal({name})"), label, output, beyond: Beyond::Noted, impulse: None })
     };
     let strand = |name: &str, k: usize| {
         let holder = strand_output(name, k);
         let output = equations.outputs.iter().position(|o| o.name == holder)?;
         let label = equations.outputs[output].label.clone();
-        Some(Push { name: format!("slack_side({name})"), label, output, beyond: Beyond::Ends })
+        Some(Push { name: format!("slack_side({name})"), label, output, beyond: Beyond::Ends, impulse: only_strand(equations, name) })
     };
     let of = |name: &str| watched(name).into_iter().chain((0..2).filter_map(|k| strand(name, k))).collect::<Vec<_>>();
     model.connections.iter().flat_map(|c| of(&c.name)).collect()
+}
+
+/// The reaction of a chain whose only strand pulls, and the sign of its force in that strand; strands of belts share an impulse with opposite signs.
+fn only_strand(equations: &Equations, name: &str) -> Option<(String, f64)> {
+    let holder = |k: usize| equations.outputs.iter().find(|o| o.name == strand_output(name, k));
+    let reaction = equations.reactions.iter().find(|r| r.name == format!("force({name})"))?;
+    let (only, None) = (holder(0)?, holder(1)) else { return None };
+    let tension = |force: f64| equations.graph.evaluate(&[only.formula], &|s| if s == reaction.symbol { force } else { 0.0 })[0];
+    let sign = tension(1.0) - tension(0.0);
+    (sign.abs() == 1.0).then(|| (reaction.name.clone(), sign))
 }
 
 /// The start of the motion with some coordinates replaced, as a place to search from.

@@ -1,5 +1,7 @@
 //! The study `statics` of bodies: reactions, equations of equilibrium, what is open or free.
 
+mod conditions;
+
 use super::{Fact, Found, Repeats, Results, Study};
 use crate::machine::Machine;
 use crate::provenance;
@@ -9,10 +11,8 @@ use analysis::Dataset;
 use analysis::dataset::Audit;
 use analysis::studies::statics::{Statics as Rest, statics};
 use mechanics::asked::{Asked, Kind};
-use report::formula::{Form, Printer};
 use serde_json::{Value, json};
-use symbolic::Equations;
-use words::{Language, Notice, Text};
+use words::{Notice, Text};
 
 /// Largest relative remainder of an equation of equilibrium.
 const LIMIT: f64 = 1e-10;
@@ -75,6 +75,8 @@ fn results(machine: &Machine, found: &Rest) -> Results {
     let share = |(name, share): &(Text, f64)| json!({"displacement": name.en, "share": share});
     let free: Vec<Value> = found.free.iter().map(|motion| motion.iter().map(share).collect()).collect();
     results.own.insert("reactions".into(), json!(reactions));
+    let lines: Vec<Value> = conditions::told(machine, found).iter().map(|line| json!(line.en)).collect();
+    results.own.insert("conditions".into(), json!(lines));
     results.own.insert("indeterminacy".into(), json!(found.indeterminacy));
     results.own.insert("mobility".into(), json!(found.free.len()));
     results.own.insert("free_motions".into(), json!(free));
@@ -94,9 +96,9 @@ fn ends(reaction: &analysis::studies::statics::Reaction) -> Vec<Fact> {
     reaction.range.into_iter().zip(words).filter(|(end, _)| end.is_finite()).map(one).collect()
 }
 
-/// Equations of equilibrium, then the degree of indeterminacy and free motions.
+/// Equations and limits of equilibrium, then the degree of indeterminacy and free motions.
 fn words(machine: &Machine, found: &Rest) -> Vec<Text> {
-    let mut words = equilibrium(&machine.equations);
+    let mut words = conditions::told(machine, found);
     words.push(match found.indeterminacy {
         0 => Text::new("Statically determinate.", "Статически определимо."),
         n => Text::new(format!("Statically indeterminate, degree {n}."), format!("Статически неопределимо, степень {n}.")),
@@ -124,39 +126,4 @@ fn as_displacement(balance: &str) -> String {
         ("силы вдоль", "перемещение вдоль"),
     ];
     words.iter().fold(balance.to_owned(), |text, (of_force, of_place)| text.replace(of_force, of_place))
-}
-
-/// Σ released λ + rest = 0 of every balance, rates and accelerations zero; what an earlier one says, perhaps with the other sign, is not told again.
-fn equilibrium(equations: &Equations) -> Vec<Text> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
-    let still = equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]);
-    let mut still = symbolic::Substitution::new(still.collect::<Vec<_>>());
-    let mut sums: Vec<(usize, symbolic::Expr)> = Vec::new();
-    for (row, balance) in equations.balances.iter().enumerate() {
-        let mut terms = vec![still.apply(&mut graph, balance.rest)];
-        for reaction in &equations.reactions {
-            for (_, e) in reaction.released.iter().filter(|(i, _)| *i == row) {
-                let symbol = graph.symbol(reaction.symbol);
-                terms.push(graph.mul(*e, symbol));
-            }
-        }
-        let sum = graph.sum(&terms);
-        let told = |graph: &mut symbolic::Graph, earlier: symbolic::Expr| {
-            let both = graph.add(earlier, sum);
-            earlier == sum || graph.is_zero(both)
-        };
-        if !sums.iter().any(|(_, earlier)| told(&mut graph, *earlier)) {
-            sums.push((row, sum));
-        }
-    }
-    let line = |balance: &symbolic::connections::Balance, sum: symbolic::Expr, language: Language| {
-        let formula = Printer::of(equations, language).inline(&graph, sum, Form::Text);
-        format!("{}: {formula} = 0", language.text(&balance.name))
-    };
-    let both = |(row, sum): (usize, symbolic::Expr)| {
-        let balance = &equations.balances[row];
-        Text::new(line(balance, sum, Language::En), line(balance, sum, Language::Ru))
-    };
-    sums.into_iter().map(both).collect()
 }

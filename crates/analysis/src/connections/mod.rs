@@ -22,7 +22,7 @@ use words::Text;
 
 use crate::Fault;
 
-pub(crate) use piecewise::is_piecewise;
+pub(crate) use piecewise::{is_bent, is_piecewise};
 pub use starts::settle_starts;
 
 /// A machine put together.
@@ -276,7 +276,7 @@ impl<'e> Bench<'e> {
 }
 
 /// Names in a row, in both languages.
-fn listed<'t>(names: impl Iterator<Item = &'t Text>) -> Text {
+pub(crate) fn listed<'t>(names: impl Iterator<Item = &'t Text>) -> Text {
     let (mut en, mut ru) = (Vec::new(), Vec::new());
     for name in names {
         en.push(name.en.clone());

@@ -132,8 +132,7 @@ impl Bench<'_> {
         }
         let shared: Vec<usize> = open.iter().copied().filter(|r| !placed.iter().any(|(p, _)| p == r)).collect();
         if !shared.is_empty() {
-            let open = &shared;
-            notes.push(not_unique(&open.iter().map(|&r| self.equations.reactions[r].name.as_str()).collect::<Vec<_>>().join(", ")));
+            notes.push(not_unique(&shared.iter().map(|&r| &self.equations.reactions[r]).collect::<Vec<_>>()));
         }
         Ok((selection, Undetermined { open, placed }))
     }
@@ -380,9 +379,20 @@ fn without_place(reaction: &str, open: &Reaction) -> Text {
     )
 }
 
-fn not_unique(names: &str) -> Text {
+/// Reactions with what they are of: names alone do not say which bodies are held twice.
+fn not_unique(open: &[&Reaction]) -> Text {
+    let list = |pick: fn(&Text) -> &str| {
+        let told = |r: &&Reaction| if pick(&r.label).is_empty() { r.name.clone() } else { format!("{} ({})", r.name, pick(&r.label)) };
+        open.iter().map(told).collect::<Vec<_>>().join(", ")
+    };
     Text::new(
-        format!("statically indeterminate: the reactions {names} are not unique"),
-        format!("статически неопределимо: реакции {names} не единственны"),
+        format!(
+            "statically indeterminate: together these reactions hold more than the rigid bodies need, and their shares are open: {}; the motion and all other reactions are right; leave one of the connections out or make it elastic to know the shares",
+            list(|t| &t.en)
+        ),
+        format!(
+            "статически неопределимо: вместе эти реакции удерживают больше, чем нужно твёрдым телам, и их доли неопределимы: {}; движение и остальные реакции верны; чтобы найти доли, уберите одну из связей или сделайте её упругой",
+            list(|t| &t.ru)
+        ),
     )
 }

@@ -19,6 +19,7 @@ use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
 
+use super::leap::Leap;
 use crate::{Fault, Mode, Quantity};
 use algebra::cholesky::{Cholesky, is_firm};
 use algebra::qr::Qr;
@@ -182,10 +183,9 @@ impl Conditions {
 
     fn activate(&mut self, modes: &[Mode]) {
         self.active.clear();
-        self.active.extend((0..self.rows.len()).filter(|&k| match self.rows[k].holds {
-            Holds::Always => true,
-            Holds::Sticking(guard, _) | Holds::Closed(guard, _) | Holds::Rough(guard) => modes[guard] == Mode::Zero,
-        }));
+        let mut active = std::mem::take(&mut self.active);
+        active.extend((0..self.rows.len()).filter(|&row| self.holds_in(row, modes)));
+        self.active = active;
     }
 
     pub(super) fn evaluate(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
@@ -209,14 +209,44 @@ impl Conditions {
     }
 
     /// Whether a rate jumps between two times at the same state, against the terms that meet in it: on the motion they cancel.
-    pub(super) fn steps(&mut self, [earlier, later]: [f64; 2], x: &[f64]) -> Result<bool, Fault> {
-        let rates = |c: &Conditions| -> Vec<f64> { (0..c.rows.len()).map(|row| c.rate(row)).collect() };
-        self.evaluate(earlier, x)?;
-        let before = rates(self);
-        self.evaluate(later, x)?;
-        let after = rates(self);
-        let size = |row: usize| self.rate_size(row, &x[self.n..2 * self.n]).max(before[row].abs());
-        Ok((0..self.rows.len()).any(|row| (after[row] - before[row]).abs() > STEPPED * size(row)))
+    pub(super) fn steps(&mut self, times: [f64; 2], x: &[f64]) -> Result<bool, Fault> {
+        let [[earlier, before], [later, after]] = Leap::instants(times);
+        let leap = Leap {
+            before: [self.rates_at(earlier, x)?, self.rates_at(before, x)?],
+            after: [self.rates_at(later, x)?, self.rates_at(after, x)?],
+        };
+        let size = |row: usize| self.rate_size(row, &x[self.n..2 * self.n]).max(leap.before[0][row].abs());
+        Ok((0..self.rows.len()).any(|row| leap.of(row).abs() > STEPPED * size(row)))
+    }
+
+    /// The rates of all conditions.
+    pub(super) fn rates_at(&mut self, t: f64, x: &[f64]) -> Result<Vec<f64>, Fault> {
+        self.evaluate(t, x)?;
+        Ok((0..self.rows.len()).map(|row| self.rate(row)).collect())
+    }
+
+    /// Their places, 0 of those that have none.
+    pub(super) fn places_at(&mut self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
+        self.evaluate(t, x).ok()?;
+        Some((0..self.rows.len()).map(|row| self.place(row)).collect())
+    }
+
+    /// What a place is compared with.
+    pub(super) fn size_of_place(&self, row: usize, x: &[f64]) -> f64 {
+        self.place_size(row, &x[..self.n]).max(self.arms[row])
+    }
+
+    /// The guard of a contact.
+    pub(super) fn contact_of(&self, row: usize) -> Option<usize> {
+        if let Holds::Closed(guard, _) = self.rows[row].holds { Some(guard) } else { None }
+    }
+
+    /// Whether a condition is in force.
+    pub(super) fn holds_in(&self, row: usize, modes: &[Mode]) -> bool {
+        match self.rows[row].holds {
+            Holds::Always => true,
+            Holds::Sticking(guard, _) | Holds::Closed(guard, _) | Holds::Rough(guard) => modes[guard] == Mode::Zero,
+        }
     }
 
     /// How large the terms are that meet in the place of a condition: arms times angles of one radian, or the lengths themselves.

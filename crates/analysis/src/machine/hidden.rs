@@ -12,6 +12,7 @@ use program::Point;
 
 use super::Machine;
 use super::impact::balances;
+use super::leap::Leap;
 use super::ties::RATE;
 use crate::Blow;
 
@@ -25,31 +26,41 @@ pub(super) struct Beside {
     pub carried: Vec<f64>,
 }
 
-impl Beside {
-    /// Whether they carry more or less afterwards, by more than this share.
-    pub(super) fn jumps(&self, share: f64) -> bool {
-        let size = self.momenta.iter().flatten().fold(0.0_f64, |m, p| m.max(p.abs()));
-        self.carried.iter().any(|c| c.abs() > share * size)
-    }
-}
-
 impl Machine {
     /// None where nothing is released, or the balances have no values.
     pub(super) fn balances_beside(&mut self, times: [f64; 2], x: &[f64]) -> Option<Beside> {
+        let [Some(before), Some(after)] = times.map(|t| self.rows_of_balances(t, x)) else { return None };
+        let (was, is) = (self.momenta(&before), self.momenta(&after));
+        let carried: Vec<f64> = was.iter().zip(&is).map(|(was, is)| is - was).collect();
+        Some(Beside { rows: after, momenta: [was, is], carried })
+    }
+
+    /// What the balances carry on both sides of an instant.
+    pub(super) fn leap_of_balances(&mut self, times: [f64; 2], x: &[f64]) -> Option<Leap> {
+        let mut side = |times: [f64; 2]| {
+            let [near, far] = times.map(|t| self.rows_of_balances(t, x));
+            Some([self.momenta(&near?), self.momenta(&far?)])
+        };
+        let [before, after] = Leap::instants(times);
+        Some(Leap { before: side(before)?, after: side(after)? })
+    }
+
+    /// Row by row: inertia, factors of the reactions, momentum at rates of zero.
+    fn rows_of_balances(&mut self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
         let program = self.bound.program();
         if program.hidden.is_empty() {
             return None;
         }
-        let (roots, width) = (program.law_roots().balances, program.coordinates + program.reactions + 1);
-        let mut rows = |t: f64| {
-            let values = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() }).ok()?;
-            values.get(roots.clone()).map(<[f64]>::to_vec)
-        };
-        let [Some(before), Some(after)] = times.map(&mut rows) else { return None };
-        let last = |rows: &[f64]| rows.chunks(width).map(|row| row[width - 1]).collect::<Vec<f64>>();
-        let (was, is) = (last(&before), last(&after));
-        let carried: Vec<f64> = was.iter().zip(&is).map(|(was, is)| is - was).collect();
-        Some(Beside { rows: after, momenta: [was, is], carried })
+        let roots = program.law_roots().balances;
+        let values = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() }).ok()?;
+        values.get(roots).map(<[f64]>::to_vec)
+    }
+
+    /// The last of each row.
+    fn momenta(&self, rows: &[f64]) -> Vec<f64> {
+        let program = self.bound.program();
+        let width = program.coordinates + program.reactions + 1;
+        rows.chunks(width).map(|row| row[width - 1]).collect()
     }
 
     /// Adds them to a blow that changed the rates of `x` by `jump` between two instants, the same ones where no prescribed velocity jumps.

@@ -11,6 +11,7 @@
 
 use super::Machine;
 use super::impact::Kick;
+use super::leap::Leap;
 use crate::{Blow, Fault, GuardKind, Mode, System};
 
 /// Share of its size below which a change of momentum or rate is rounding.
@@ -28,22 +29,20 @@ impl Machine {
     /// See [`System::jolt`].
     pub(super) fn jump(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
         let [Some(before), Some(after)] = modes.map(|modes| self.carried(t, x, modes)) else { return Ok(None) };
-        let size = before.iter().chain(&after).fold(0.0_f64, |m, b| m.max(b.abs()));
         let kick: Vec<f64> = before.iter().zip(&after).map(|(b, a)| b - a).collect();
-        let kicked = kick.iter().any(|k| k.abs() > ROUNDING * size);
         let [earlier, later] = beside(t);
         let n = kick.len();
         let rates = x[n..2 * n].to_vec();
+        let kicked = self.is_kicked((t, x), modes);
         let steps = match &mut self.conditions {
             Some(conditions) if !kicked => conditions.steps([earlier, later], x)?,
             _ => kicked,
         };
-        let beside = self.balances_beside([earlier, later], x);
-        let felt = beside.as_ref().is_some_and(|beside| beside.jumps(ROUNDING));
+        let felt = self.leap_of_balances([earlier, later], x).is_some_and(|leap| leap.is_felt(ROUNDING));
         if !steps && !felt && !self.carries_more((t, x), modes) {
             return Ok(None);
         }
-        let carried = beside.map_or_else(Vec::new, |beside| beside.carried);
+        let carried = self.balances_beside([earlier, later], x).map_or_else(Vec::new, |beside| beside.carried);
         let mut blow = match &mut self.conditions {
             Some(conditions) => conditions.struck((later, x), modes[0], closing, Some(Kick { impulses: &kick, carried: &carried }))?,
             None => self.kicked(t, x, modes[1], &kick)?,
@@ -53,10 +52,30 @@ impl Machine {
         Ok(Some(blow))
     }
 
+    /// Whether b jumps.
+    fn is_kicked(&mut self, here: (f64, &[f64]), modes: [&[Mode]; 2]) -> bool {
+        self.leap(here, modes, Machine::carried).is_some_and(|leap| leap.is_felt(ROUNDING))
+    }
+
     /// Whether the energy of the prescribed motion alone jumps.
-    fn carries_more(&mut self, (t, x): (f64, &[f64]), modes: [&[Mode]; 2]) -> bool {
-        let [Some(before), Some(after)] = modes.map(|modes| self.kinetic(t, x, modes, &[])) else { return false };
-        (after - before).abs() > ROUNDING * before.abs().max(after.abs())
+    fn carries_more(&mut self, here: (f64, &[f64]), modes: [&[Mode]; 2]) -> bool {
+        let energy = |machine: &mut Machine, t: f64, x: &[f64], modes: &[Mode]| Some(vec![machine.kinetic(t, x, modes, &[])?]);
+        self.leap(here, modes, energy).is_some_and(|leap| leap.is_felt(ROUNDING))
+    }
+
+    /// Values on both sides of an instant, each side with its modes.
+    fn leap(
+        &mut self,
+        (t, x): (f64, &[f64]),
+        modes: [&[Mode]; 2],
+        values: fn(&mut Machine, f64, &[f64], &[Mode]) -> Option<Vec<f64>>,
+    ) -> Option<Leap> {
+        let [earlier, later] = beside(t);
+        let mut side = |times: [f64; 2], modes: &[Mode]| {
+            let [near, far] = times.map(|t| values(self, t, x, modes));
+            Some([near?, far?])
+        };
+        Some(Leap { before: side([t, earlier], modes[0])?, after: side([t, later], modes[1])? })
     }
 
     /// Rates after generalized impulses on a machine that nothing else acts on.

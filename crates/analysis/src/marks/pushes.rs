@@ -8,6 +8,7 @@ use words::Text;
 use super::Along;
 use super::named::{Direction, Named, Watcher};
 use crate::System;
+use crate::dataset::Impulse;
 use crate::fault::connections::Since;
 use crate::proxies::proxy::Source;
 
@@ -22,6 +23,8 @@ pub struct Push {
     pub output: usize,
     /// What follows.
     pub beyond: Beyond,
+    /// The reaction whose impulses it must not have the wrong sign of, and that sign.
+    pub impulse: Option<(String, f64)>,
 }
 
 /// What follows where a force has the wrong sign.
@@ -35,6 +38,8 @@ pub enum Beyond {
 
 /// A pull must exceed so many times the rounding of the force.
 const CERTAIN: f64 = 1e3;
+/// Share of the largest impulse of an instant below which one is rounding.
+const STRUCK: f64 = 1e-9;
 /// Places of a step at which a pull is looked for.
 const PLACES: [f64; 6] = [0.02, 0.1, 0.3, 0.5, 0.8, 1.0];
 
@@ -75,6 +80,24 @@ impl Pushes {
                 found.push((i, happened.tau));
             }
         }
+        found.extend(self.already(along));
+        found
+    }
+
+    /// Contacts that pull at the end of a step in which no zero was found: theirs is the instant at which it began, where something else happened as well.
+    fn already<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) -> Vec<(usize, f64)> {
+        let open: Vec<usize> = (0..self.list.len()).filter(|&i| self.pulled[i].is_none()).collect();
+        if open.is_empty() {
+            return Vec::new();
+        }
+        let values = along.outputs(along.length).to_vec();
+        let mut found = Vec::new();
+        for i in open {
+            if values[self.list[i].output] < 0.0 && self.pulls(i, along.length, along) {
+                self.pulled[i] = Some(along.time(0.0));
+                found.push((i, 0.0));
+            }
+        }
         found
     }
 
@@ -82,6 +105,18 @@ impl Pushes {
         let output = self.list[i].output;
         let value = along.outputs(tau)[output];
         value < 0.0 && along.rounding(tau).get(output).is_none_or(|rounding| value < -CERTAIN * rounding)
+    }
+
+    /// Looks at the impulses of an instant.
+    pub(crate) fn strike(&mut self, t: f64, impulses: &[Impulse]) {
+        let largest = impulses.iter().fold(0.0_f64, |m, p| m.max(p.value.abs()));
+        for (push, pulled) in self.list.iter().zip(&mut self.pulled) {
+            let Some((name, sign)) = &push.impulse else { continue };
+            let wrong = |p: &Impulse| p.name == *name && sign * p.value < -STRUCK * largest;
+            if impulses.iter().any(wrong) {
+                *pulled = pulled.or(Some(t));
+            }
+        }
     }
 
     /// The first force of the wrong sign after which nothing is right.

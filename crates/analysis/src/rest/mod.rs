@@ -18,6 +18,7 @@ pub mod observed;
 pub mod path;
 pub mod places;
 pub mod report;
+pub(crate) mod rows;
 pub mod stability;
 pub mod system;
 pub mod unknowns;

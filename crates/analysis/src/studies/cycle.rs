@@ -65,6 +65,10 @@ pub struct Balance {
 
 /// Parts of a step for the check by Gauss's rule: a step spans about a radian of the quickest motion.
 const CHECK: usize = 3;
+/// Share of the work of the moments that meet, below which the work of their sum is not compared with itself.
+const SHARE: f64 = 1e-3;
+/// Rounding of a sum of moments, relative to its terms.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Most steps of a cycle.
 const STEPS: usize = 100_000;
 
@@ -73,6 +77,8 @@ struct Reduced {
     inertia: f64,
     slope: f64,
     moment: f64,
+    /// Sum of the moments that meet in it, without signs.
+    terms: f64,
     /// dφ/dt of the motion that led here.
     rate: f64,
 }
@@ -90,7 +96,9 @@ pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opt
         sum.add(machine, step, *length, options)?;
     }
     sum.finish(machine, &steps, options)?;
-    let Sum { work, size, inertia, angle, .. } = sum;
+    let Sum { work, inertia, angle, .. } = sum;
+    // where moments cancel all the way, what is left of them is their rounding
+    let size = sum.size.max(SHARE * sum.terms * options.range.abs());
     let mut dataset = sum.dataset(&*machine.own, options);
     dataset.notes.extend(rubs.then(pressed));
     let range = dataset.extreme("A").map_or([0.0; 2], |e| [e.min.min(0.0), e.max.max(0.0)]);
@@ -326,10 +334,13 @@ fn reduced<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64,
     // dE/dt = A w + B w³: the cubic part is that of the kinetic energy, B = ½ J'
     let kinetic = (double - 2.0 * uniform.rate) / 6.0;
     let potential = uniform.rate - kinetic;
+    let terms = (uniform.loads.abs() + uniform.dissipated.abs() + potential.abs() + kinetic.abs()) / w.abs();
+    let moment = (uniform.loads - uniform.dissipated - potential) / w;
     Ok(Reduced {
         inertia: (pushed - still) / w,
         slope: 2.0 * kinetic / (w * w * w),
-        moment: (uniform.loads - uniform.dissipated - potential) / w,
+        moment: if moment.abs() <= ROUNDING * terms { 0.0 } else { moment },
+        terms,
         rate,
     })
 }
@@ -372,6 +383,8 @@ struct Sum {
     proxies: Proxies,
     work: f64,
     size: f64,
+    /// Largest sum of the moments that meet.
+    terms: f64,
     inertia: f64,
     angle: f64,
 }
@@ -388,6 +401,7 @@ impl Sum {
             proxies: Proxies::default(),
             work: 0.0,
             size: 0.0,
+            terms: 0.0,
             inertia: 0.0,
             angle: 0.0,
         };
@@ -407,8 +421,8 @@ impl Sum {
 
     /// Adds a step up to `length`.
     fn add<S: System + ?Sized>(&mut self, machine: &mut Pair<'_, S>, step: &Step, length: f64, options: &Cycle) -> Result<(), Fault> {
-        let mut fault = None;
-        let mut sample = Values(|tau: f64| match reduced(machine, step, tau, options) {
+        let (mut fault, mut terms) = (None, self.terms);
+        let mut sample = Values(|tau: f64| match reduced(machine, step, tau, options).inspect(|r| terms = terms.max(r.terms)) {
             Ok(r) => vec![r.inertia, r.slope, r.moment, r.moment * r.rate, r.inertia * r.rate],
             Err(f) => {
                 fault.get_or_insert(f);
@@ -419,6 +433,7 @@ impl Sum {
         if let Some(fault) = fault {
             return Err(fault);
         }
+        self.terms = terms;
         let place = |tau: f64| place(step, options.angle, tau);
         for piece in pieces.iter().filter(|p| p.of < COLUMNS) {
             self.column(piece, &place);

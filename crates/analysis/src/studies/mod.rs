@@ -25,6 +25,7 @@ pub mod statics;
 pub mod structure_modes;
 pub mod structure_statics;
 pub mod superposition;
+mod telling;
 pub mod tracks;
 pub mod transient;
 pub mod unknowns;

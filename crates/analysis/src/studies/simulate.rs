@@ -450,6 +450,9 @@ impl Run {
                 return self.end_inside(flow, stop);
             }
             self.record(flow)?;
+            if let Some((push, t)) = self.pushes.broken() {
+                return Err(Fault::strand_pushes(&push.label, Since::Time(t)));
+            }
             let (step, system) = flow.step_and_system();
             step.state_at(step.instant(step.length).high, &mut self.x);
             system.placed(step.instant(step.length).high, &self.x)?;
@@ -544,6 +547,7 @@ impl Run {
             self.book_works(flow, &switches, &states, [&before, &after]);
         }
         let mut impulses = self.impulses(flow, &switches);
+        self.pushes.strike(t, &impulses);
         for switch in &switches {
             let mut what = describe(switch, &flow.system().guards()[switch.guard]);
             if matches!(switch.change, Change::Impact { .. })

@@ -22,12 +22,12 @@ use crate::connections::assemble;
 use crate::rest::admissible::{Hold, Holds, Limit};
 use crate::rest::fault_of;
 use crate::rest::numbers::Numbers;
+use crate::rest::rows::{NOTHING, independent, rows_of, with_shares};
+use crate::studies::telling::telling;
 use crate::{Fault, Quantity};
 use algebra::qr::{Qr, norm};
 use words::digits::rounded;
 
-/// Share below which a remainder counts as nothing.
-const NOTHING: f64 = 1e-9;
 /// A reaction below this share of the largest of its unit is rounding.
 const NOISE: f64 = 1e-14;
 /// Work of the loads in a free motion, relative, above which the structure does not rest.
@@ -60,6 +60,10 @@ pub struct Statics {
     pub remainder: f64,
     /// Remarks of the assembly.
     pub notes: Vec<Text>,
+    /// Reactions, by index, of contacts that stand open and carry nothing.
+    pub open: Vec<usize>,
+    /// Coordinates whose equation says more than the balances of released bodies and the coordinates before it.
+    pub telling: Vec<usize>,
 }
 
 /// Finds the reactions at the start of the machine, at rest.
@@ -80,6 +84,8 @@ pub fn statics(equations: &Equations) -> Result<Statics, Fault> {
     let system = System::at_rest(equations, &start);
     let mut found = system.solve(equations)?;
     found.notes = notes;
+    found.open = (0..equations.reactions.len()).filter(|r| !system.unknowns.contains(r)).collect();
+    found.telling = telling(equations, (&parameters, &start), &system.unknowns);
     Ok(found)
 }
 
@@ -105,22 +111,8 @@ impl System {
         let numbers = Numbers::at_rest(equations, &parameters, start);
         let open = open_contacts(equations, &numbers, start);
         let unknowns: Vec<usize> = (0..equations.reactions.len()).filter(|r| !open.contains(r)).collect();
-        let mut graph = equations.graph.clone();
-        let zero = graph.zero();
-        let mut roots: Vec<Expr> = vec![zero; (n + b) * (unknowns.len() + 1)];
         let width = unknowns.len() + 1;
-        for (k, &r) in unknowns.iter().enumerate() {
-            let reaction = &equations.reactions[r];
-            reaction.forces.iter().for_each(|(j, e)| roots[j * width + k] = *e);
-            reaction.released.iter().for_each(|(i, e)| roots[(n + i) * width + k] = *e);
-        }
-        for (j, h) in equations.force.iter().enumerate() {
-            roots[j * width + width - 1] = *h;
-        }
-        for (i, balance) in equations.balances.iter().enumerate() {
-            roots[(n + i) * width + width - 1] = balance.rest;
-        }
-        let values = numbers.evaluate(&roots);
+        let values = numbers.evaluate(&rows_of(equations, &unknowns));
         let rows = n + b;
         let (contacts, limits) = one_sided(equations, &unknowns, &numbers);
         let mut system = System { rows, unknowns, matrix: Vec::new(), right: Vec::new(), scale: Vec::new(), contacts, limits };
@@ -177,7 +169,7 @@ impl System {
         let named = (0..self.unknowns.len()).filter(|k| shown(*k));
         let reactions = named.map(|k| reaction(equations, self.unknowns[k], settled(k), ranges[k])).collect();
         let indeterminacy = relations.iter().filter(|(k, shares)| shown(*k) || shares.iter().any(|s| shown(*s))).count();
-        Ok(Statics { reactions, indeterminacy, free, remainder, notes: Vec::new() })
+        Ok(Statics { reactions, indeterminacy, free, remainder, ..Statics::default() })
     }
 
     /// The largest remainder of a row, relative to the terms that meet in all rows.
@@ -238,39 +230,6 @@ fn is_turn_of_a_point(equations: &Equations, balance: usize) -> bool {
         (0..3).all(|k| (m[k] - turned[k]).abs() <= NOTHING * size)
     };
     frame.bodies.iter().all(point) && passes(0.3) && passes(1.7)
-}
-
-/// Independent vectors, and for each dependent one those it combines from.
-fn independent(vectors: &[Vec<f64>]) -> (Vec<usize>, Vec<(usize, Vec<usize>)>) {
-    let relations = with_shares(vectors);
-    let dependent: Vec<usize> = relations.iter().map(|r| r.0).collect();
-    let kept = (0..vectors.len()).filter(|k| !dependent.contains(k)).collect();
-    (kept, relations.into_iter().map(|(k, shares)| (k, shares.into_iter().map(|s| s.0).collect())).collect())
-}
-
-/// Each vector that depends on those before it, with its shares of these.
-fn with_shares(vectors: &[Vec<f64>]) -> Vec<(usize, Vec<(usize, f64)>)> {
-    let mut kept: Vec<usize> = Vec::new();
-    let mut relations = Vec::new();
-    for (i, vector) in vectors.iter().enumerate() {
-        let (m, n) = (vector.len(), kept.len());
-        let length = norm(vector);
-        let (shares, rest) = if n == 0 || length == 0.0 {
-            (Vec::new(), length)
-        } else {
-            let matrix: Vec<f64> = (0..m * n).map(|p| vectors[kept[p % n]][p / n]).collect();
-            let (c, _) = Qr::new(&matrix, m, n).least_squares(vector);
-            let left: Vec<f64> = (0..m).map(|p| vector[p] - (0..n).map(|k| matrix[p * n + k] * c[k]).sum::<f64>()).collect();
-            (c, norm(&left))
-        };
-        if length > 0.0 && rest > NOTHING * length && kept.len() < m {
-            kept.push(i);
-        } else {
-            let list = kept.iter().copied().zip(shares).filter(|(_, c)| c.abs() > NOTHING).collect();
-            relations.push((i, list));
-        }
-    }
-    relations
 }
 
 /// Contacts that stand open at the start and carry nothing.

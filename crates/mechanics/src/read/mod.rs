@@ -5,6 +5,7 @@
 
 mod answers;
 mod claims;
+mod coaxial;
 mod connections;
 mod events;
 mod frames;
@@ -229,6 +230,7 @@ fn machine<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, (parameters, coordinat
     let connections = connections::read(reader, top, &space);
     let places_of = connections::Places { frames: &frames, points: &points, coordinates };
     connections::warn(reader, &connections, &places_of);
+    coaxial::warn(reader, &elements, (&frames, &space));
     let (resultants, places) = connections::distributed(reader, top, &space, points.len());
     elements.extend(resultants);
     points.extend(places);

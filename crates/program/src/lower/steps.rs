@@ -5,6 +5,7 @@
 //! T at q' = 0               what they give to the energy of bodies that no coordinate moves along with them
 //! carried by a balance      momentum of a released body at q' = 0: its supports feel it, though no coordinate may
 //! rate of a condition       at q' = 0: what it wants of the motion
+//! place of a condition      a surface that stands elsewhere afterwards has no rate that shows it; nor has a body
 //! ```
 //!
 //! An acceleration does not show such a jump: between two constant speeds it is zero on both sides. So these velocities stand among the results of the
@@ -26,7 +27,9 @@ pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
     };
     let may = |e: Expr| switches(&equations.graph, e);
     let carried = || equations.balances.iter().filter_map(|balance| balance.carried);
-    if !may(equations.energy.kinetic) && !equations.conditions.iter().any(|c| may(c.rate)) && !carried().any(may) {
+    let bodies = equations.released.bodies.iter().flat_map(|b| b.center.iter().chain(b.rotation.iter().flatten()).copied());
+    let placed = || equations.conditions.iter().filter_map(|c| c.place).chain(bodies.clone());
+    if !may(equations.energy.kinetic) && !equations.conditions.iter().any(|c| may(c.rate)) && !carried().chain(placed()).any(may) {
         return None;
     }
     let mut graph = equations.graph.clone();
@@ -41,6 +44,7 @@ pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
     for rate in equations.conditions.iter().map(|condition| condition.rate).chain(carried()) {
         list.push(still.apply(&mut graph, rate));
     }
+    list.extend(placed());
     list.retain(|e| switches(&graph, *e));
     (!list.is_empty()).then_some((graph, list))
 }

@@ -143,11 +143,12 @@ pub fn finish(machine: Machine, results: Results, view: &View, console: &mut Con
         console.out(report::terminal::write(&document, width))?;
         return Ok(exit);
     }
-    console.timed(Word::TimeWrite, |console| match alone {
-        Alone::Table | Alone::WrittenOrTable => table(&results, view, console),
-        _ => show(&machine, &results, view, console),
+    let rows = matches!(alone, Alone::Table | Alone::WrittenOrTable) || view.events || view.switches;
+    console.timed(Word::TimeWrite, |console| match rows {
+        true => table(&results, view, console),
+        false => show(&machine, &results, view, console),
     })?;
-    if matches!(alone, Alone::Table | Alone::WrittenOrTable) {
+    if rows {
         tell_checks(&results, console);
     }
     let exit = judge(&results, console);

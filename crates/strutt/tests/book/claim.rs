@@ -59,6 +59,11 @@ pub enum Claim {
         at: f64,
         tolerance: f64,
     },
+    /// The words of an event, whole.
+    Says {
+        event: usize,
+        text: String,
+    },
     Events(usize),
     /// The impulse of a reaction.
     Impulse {
@@ -159,6 +164,10 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             let (left, right) = line.split_once('<').ok_or_else(unknown)?;
             let name = left.split('|').nth(1).ok_or_else(unknown)?.trim().to_owned();
             Ok(Claim::Bounded { name, limit: number(right)? })
+        }
+        "event" if word(2) == "says:" => {
+            let (_, text) = line.split_once("says:").ok_or_else(unknown)?;
+            Ok(Claim::Says { event: integer(word(1))?, text: text.trim().to_owned() })
         }
         "event" => {
             let (left, right) = line.split_once('±').ok_or_else(unknown)?;

@@ -83,6 +83,7 @@ fn study_claim(results: &Results, claim: &Claim) -> Result<(), String> {
         }
     }
     match claim {
+        Claim::Field { path, text } => says(&json_field(&results.fields().into(), path)?, path, text),
         Claim::Rest { name, expected, tolerance } => tolerance.check(name, field(results, name)?, *expected),
         Claim::Value { name, when, expected, tolerance } => {
             let axis = data.axis.and_then(|i| data.columns.get(i)).ok_or("the study has no axis")?;
@@ -373,11 +374,7 @@ impl Outcome {
                 let found = json_field(own, name)?.as_f64().unwrap_or(f64::NAN);
                 tolerance.check(name, found, *expected)
             }
-            (Outcome::Fields { own, .. }, Claim::Field { path, text }) => {
-                let found = json_field(own, path)?;
-                let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
-                if found == *text { Ok(()) } else { Err(format!("{path} is {found}")) }
-            }
+            (Outcome::Fields { own, .. }, Claim::Field { path, text }) => says(&json_field(own, path)?, path, text),
             (Outcome::Fields { data, .. }, claim) => motion(&[], data, claim),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
             (Outcome::Closed { phases, .. }, Claim::PhaseConstant { phase, key, expected, tolerance }) => {
@@ -467,6 +464,12 @@ fn findings(model: &str, diagnostics: &[Notice], code: &str, line: Option<usize>
     }
 }
 
+/// Whether a field is this text.
+fn says(found: &serde_json::Value, path: &str, text: &str) -> Result<(), String> {
+    let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
+    if found == text { Ok(()) } else { Err(format!("{path} is {found}")) }
+}
+
 /// The field at a path: `modes[1].shape.phi`, counted from 1; `length(modes)` is a number of entries.
 fn json_field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
     if let Some(inner) = path.strip_prefix("length(").and_then(|p| p.strip_suffix(')')) {
@@ -534,6 +537,10 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
         Claim::Event { number, at, tolerance } => {
             let event = data.events.get(number - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;
             Tolerance { size: *tolerance, relative: false }.check("t", event.t, *at)
+        }
+        Claim::Says { event, text } => {
+            let event = data.events.get(event - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;
+            if event.what.en == *text { Ok(()) } else { Err(format!("it says: {}", event.what.en)) }
         }
         Claim::Impulse { name, event, expected, tolerance } => {
             let event = data.events.get(event - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;

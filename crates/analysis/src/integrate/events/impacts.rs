@@ -53,8 +53,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.rebounds.fill(false);
         self.blow = None;
         self.jolted = false;
+        let gone = self.let_go()?;
         let on: Vec<usize> = (0..self.modes.len())
-            .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_met(i)))
+            .filter(|&i| self.is_contact(i) && !gone.contains(&i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_met(i)))
             .collect();
         // what is closed has no rate, whatever the sign of its rounding
         let before: Vec<f64> = on.iter().map(|&i| if self.modes[i] == Mode::Zero { 0.0 } else { self.gap_rate(i) }).collect();
@@ -73,15 +74,30 @@ impl<S: System + ?Sized> Flow<'_, S> {
         Ok(impacts)
     }
 
+    /// The modes behind the switches that were reached; none where none was.
+    fn flipped(&self) -> Option<Vec<Mode>> {
+        let flips = |i: &usize| self.touched[*i] && self.system.guards()[*i].kind == GuardKind::Switch && self.modes[*i] != Mode::Zero;
+        let mut after = self.modes.clone();
+        (0..self.modes.len()).filter(flips).for_each(|i| after[i] = opposite(after[i]));
+        (after != self.modes).then_some(after)
+    }
+
+    /// Opens contacts whose surface jumps away, and gives them.
+    ///
+    /// *Errors*: S137, S138, S139 what jumps otherwise.
+    fn let_go(&mut self) -> Result<Vec<usize>, Fault> {
+        let Some(after) = self.flipped() else { return Ok(Vec::new()) };
+        let gone = self.system.bend(self.now.high, &self.x, [&self.modes, &after])?;
+        for &i in &gone {
+            self.modes[i] = Mode::Positive;
+            self.touched[i] = false;
+        }
+        Ok(gone)
+    }
+
     /// Impacts by a jump of prescribed velocities; none when no switch that was reached makes one.
     fn jolt(&mut self, on: &[usize], before: &[f64]) -> Result<Option<Vec<Impact>>, Fault> {
-        let flips = |i: &usize| self.touched[*i] && self.system.guards()[*i].kind == GuardKind::Switch && self.modes[*i] != Mode::Zero;
-        let flipped: Vec<usize> = (0..self.modes.len()).filter(flips).collect();
-        if flipped.is_empty() {
-            return Ok(None);
-        }
-        let mut after = self.modes.clone();
-        flipped.iter().for_each(|&i| after[i] = opposite(after[i]));
+        let Some(after) = self.flipped() else { return Ok(None) };
         let Some(blow) = self.system.jolt(self.now.high, &mut self.x, [&self.modes, &after], on).map_err(|f| f.during(self.now.high))?
         else {
             return Ok(None);

@@ -125,7 +125,18 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 self.modes[i] = if rate.abs() <= START * self.guard_scale[i].max(rates) { Mode::Zero } else { Mode::Positive };
             }
         }
+        self.free_unloaded();
         Ok(())
+    }
+
+    /// A friction that nothing presses holds nothing, though its point may stand: two of them could repeat each other in a blow elsewhere.
+    fn free_unloaded(&mut self) {
+        for i in 0..self.modes.len() {
+            if self.modes[i] == Mode::Zero && self.is_off(i) {
+                self.modes[i] = Mode::Positive;
+                self.touched[i] = false;
+            }
+        }
     }
 
     /// The mode that the flow of the last expansion asks for.

@@ -41,7 +41,8 @@ impl<'m> Space<'m> {
         space
     }
 
-    fn is_fixed(&self, reader: &Reader, e: Expr) -> bool {
+    /// Whether a value never changes.
+    pub fn is_fixed(&self, reader: &Reader, e: Expr) -> bool {
         reader.builder.graph.symbols_in(&[e]).iter().all(|s| self.constants.contains(s))
     }
 

@@ -8,8 +8,8 @@ use crate::derive::lagrange::inertia_parts;
 use crate::model::{FrameId, PointRef};
 use crate::scene::kinematics::Kinematics;
 use crate::scene::pathways::unit_vector;
-use crate::scene::wrench::{Act, Along};
-use crate::scene::{Scene, Vector};
+use crate::scene::wrench::{Act, Along, particle};
+use crate::scene::{Columns, Scene, Vector};
 use symbolic::connections::{FreeBody, FreeFrame, Wrench};
 use symbolic::{Expr, Function};
 use words::Text;
@@ -77,21 +77,43 @@ fn acting(scene: &mut Scene, (loads, coupled): (&[Act], &[Act]), connected: &Con
 }
 
 /// What acts on each body by itself, and along each coordinate by formulas.
-pub fn act(scene: &mut Scene, kinematics: &Kinematics, loads: &[Act], inertial: &[Act], connected: &mut Connected) {
+pub fn act(scene: &mut Scene, kinematics: &mut Kinematics, loads: &[Act], inertial: &[Act], connected: &mut Connected) {
     let acting = acting(scene, (loads, &without_bodies(inertial)), connected);
     let count = connected.free.bodies.len();
     let mut by_body: Vec<Vec<Act>> = vec![Vec::new(); count];
     let mut along: Vec<Vec<Expr>> = vec![Vec::new(); scene.n()];
     for act in acting {
+        let count = along.len();
         if let Act::Along(Along { columns, .. }) = &act {
-            let count = along.len();
             columns.range(..count).for_each(|(j, e)| along[*j].push(*e));
-        } else if let Some(list) = act.frame(scene).and_then(body).and_then(|b| by_body.get_mut(b)) {
+            continue;
+        }
+        wandering(scene, kinematics, &act).range(..count).for_each(|(j, e)| along[*j].push(*e));
+        if let Some(list) = act.frame(scene).and_then(body).and_then(|b| by_body.get_mut(b)) {
             list.push(act);
         }
     }
     connected.free.wrenches = by_body.iter().map(|acts| wrench(scene, kinematics, acts)).collect();
     connected.free.along = along.iter().map(|terms| [scene.graph.sum(terms), without_signs(scene, terms)]).collect();
+}
+
+/// The work of a force at a point that coordinates move along its body, over the way on the body: in a displacement of the body its particle does not go along.
+fn wandering(scene: &mut Scene, kinematics: &mut Kinematics, act: &Act) -> Columns<Expr> {
+    let Act::Point { point: point @ PointRef::Point(p), force } = act else { return Columns::new() };
+    let model = scene.model;
+    let own = &model.points[p.index()];
+    if own.at.iter().all(|e| scene.gradient(*e).is_empty()) {
+        return Columns::new();
+    }
+    let at = kinematics.position(scene, *point);
+    let of_particle = particle(scene, kinematics, own.on, &at);
+    let zero = scene.zero_vector();
+    let ways = kinematics.jacobian(scene, *point).into_iter().map(|(j, column)| {
+        let carried = of_particle.get(&j).copied().unwrap_or(zero);
+        let way = scene.minus(&column, &carried);
+        (j, scene.dot(force, &way))
+    });
+    ways.collect()
 }
 
 fn wrench(scene: &mut Scene, kinematics: &Kinematics, acts: &[Act]) -> Wrench {
