@@ -95,7 +95,7 @@ impl BlowLaws {
 
     fn judge(&mut self, before: &[Touch], after: &[Touch], blow: &Blow) {
         let contact = |t: &&Touch| matches!(t.law, TouchLaw::Contact { .. }) && t.force != 0.0;
-        let largest = before.iter().map(|t| t.force.abs()).filter(|f| f.is_finite()).fold(ROUNDED * self.momentum, f64::max);
+        let largest = before.iter().map(|t| t.force.abs()).filter(|f| f.is_finite()).fold(self.least_impulse(), f64::max);
         // in a sequence of blows, or within the phases of one, the sliding may turn before the end
         let single = !blow.phased && blow.blows.is_empty() && before.iter().filter(contact).count() <= 1;
         for (before, after) in before.iter().zip(after) {
@@ -141,10 +141,15 @@ impl BlowLaws {
         self.part(last, blow);
     }
 
+    /// What impulses are compared with at least: the blows of a chain that dies out are differences of momenta that do not.
+    fn least_impulse(&self) -> f64 {
+        (ROUNDED * self.momentum).max(f64::MIN_POSITIVE)
+    }
+
     /// Newton's law of one blow, whose impulses stand in `after`.
     fn rebound(&mut self, [before, after]: [&[Touch]; 2], blow: &Blow) {
         let impulse = |touch: &Touch| if takes_part(touch, blow) { touch.force.abs() } else { 0.0 };
-        let largest = after.iter().map(impulse).filter(|p| p.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
+        let largest = after.iter().map(impulse).filter(|p| p.is_finite()).fold(self.least_impulse(), f64::max);
         for (i, (before, after)) in before.iter().zip(after).enumerate().filter(|(_, (_, after))| takes_part(after, blow)) {
             self.speeds[i] = self.speeds[i].max(size(before)).max(size(after));
             let speed = size(before).max(size(after)).max(DYING * self.speeds[i]);
