@@ -62,8 +62,8 @@ fn points_are_where_the_columns_say() {
                 .fold((0, 0), |(l, h), k| (if truth[k] < truth[l] { k } else { l }, if truth[k] > truth[h] { k } else { h }));
             let scale = (seen[high][i] - seen[low][i]) / (truth[high] - truth[low]);
             assert!(scale > 10.0, "{machine} {name}: {scale}");
-            for k in 0..truth.len() {
-                let off = (seen[k][i] - seen[low][i] - scale * (truth[k] - truth[low])).abs();
+            for (k, (place, value)) in seen.iter().zip(&truth).enumerate() {
+                let off = (place[i] - seen[low][i] - scale * (value - truth[low])).abs();
                 assert!(off < 3.0 * OFF, "{machine} {name}, frame {k}: {off} px");
             }
         }

@@ -195,7 +195,8 @@ pub fn between(a: P, b: P, share: f64) -> P {
 pub fn tangent(center: P, radius: f64, (from, sense): (P, f64)) -> P {
     let d = distance(center, from);
     let off = if d <= radius { 0.0 } else { (radius / d).acos() };
-    polar(center, radius, direction(center, from) - sense * off)
+    // the rim goes from the point to the drum there: (turn × (rim - centre)) · (rim - point) > 0
+    polar(center, radius, direction(center, from) + sense * off)
 }
 
 /// Axes of a symbol: x along its direction, y to the left of it.
@@ -221,5 +222,27 @@ impl Local {
     pub fn block(&self, half_width: f64, half_height: f64) -> [P; 4] {
         let (w, h) = (half_width, half_height);
         [self.at(-w, -h), self.at(w, -h), self.at(w, h), self.at(-w, h)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thread_leaves_a_drum_where_its_turn_winds_it_in() {
+        for from in [[90.0, 10.0], [-70.0, 40.0], [5.0, -120.0]] {
+            for sense in [1.0, -1.0] {
+                let (center, radius) = ([3.0, -4.0], 20.0);
+                let rim = tangent(center, radius, (from, sense));
+                let along = [rim[0] - from[0], rim[1] - from[1]];
+                let arm = [rim[0] - center[0], rim[1] - center[1]];
+                // y points downwards: counter-clockwise as seen a point of the rim goes along (arm_y, -arm_x)
+                let velocity = [sense * arm[1], -sense * arm[0]];
+                // rounding of lengths of some hundred
+                assert!((arm[0] * along[0] + arm[1] * along[1]).abs() < 1e-9, "no tangent");
+                assert!(velocity[0] * along[0] + velocity[1] * along[1] > 0.0, "{from:?} {sense}: it winds off");
+            }
+        }
     }
 }

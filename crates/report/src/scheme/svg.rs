@@ -137,7 +137,7 @@ pub(super) fn text(out: &mut String, set: &Set, language: Language) {
     match &set.label.text {
         LabelText::Symbol(name) => symbol_spans(out, name, language),
         LabelText::Formula(formula) => {
-            let _ = write!(out, "<tspan font-size=\"13\">{}</tspan>", markup(formula));
+            formula_spans(out, formula);
         }
         LabelText::Words(words) => {
             for (i, line) in words.lines().enumerate() {
@@ -147,6 +147,25 @@ pub(super) fn text(out: &mut String, set: &Set, language: Language) {
         LabelText::Number(_) => {}
     }
     out.push_str("</text>\n");
+}
+
+/// A short formula: what follows a low line is an index.
+fn formula_spans(out: &mut String, formula: &str) {
+    let mut rest = formula;
+    let mut shift = 0;
+    while !rest.is_empty() {
+        let (before, after) = rest.split_once('_').unwrap_or((rest, ""));
+        if !before.is_empty() {
+            let _ = write!(out, "<tspan font-size=\"13\" dy=\"{}\">{}</tspan>", -shift, markup(before));
+            shift = 0;
+        }
+        let end = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
+        if end > 0 {
+            let _ = write!(out, "<tspan font-size=\"10\" dy=\"{}\">{}</tspan>", 4 - shift, markup(&after[..end]));
+            shift = 4;
+        }
+        rest = &after[end..];
+    }
 }
 
 fn symbol_spans(out: &mut String, name: &str, language: Language) {

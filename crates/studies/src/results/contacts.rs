@@ -24,6 +24,14 @@ pub fn bands(data: &Dataset, language: Language) -> Option<Bands> {
     Some(Bands { name: "contacts".into(), title: language.word(Word::Contacts).into(), range: (first, last), bands })
 }
 
+/// What each contact and friction did over time, by the user's name of it.
+pub fn courses(data: &Dataset) -> Vec<(String, Vec<Stretch>)> {
+    let Some(times) = data.axis.and_then(|i| data.columns.get(i)).map(|c| &c.values) else { return Vec::new() };
+    let (first, last) = times.iter().fold((0.0_f64, 0.0_f64), |(a, b), t| (a.min(*t), b.max(*t)));
+    let shown = data.contacts.iter().take(MOST);
+    shown.map(|own| (own.contact.clone(), Track::new(own, data).band((first, last), Language::En).stretches)).collect()
+}
+
 /// A contact or friction followed along the events.
 struct Track<'a> {
     own: &'a Standing,

@@ -139,7 +139,8 @@ impl Sketch<'_> {
             } else if self.looks[group].boxes.is_empty() && spots.len() > 1 && spots.iter().all(|s| distance(*s, at) > 8.0) {
                 self.put("point", &path, Place { at, ..Place::default() });
             } else if ends < 2 && masses.iter().any(|m| distance(*m, at) < 1.0) && self.looks[group].boxes.is_empty() {
-                self.put("ball", &path, Place { at, ..Place::default() });
+                // the mass centre of a body of unknown shape; a ball is a point mass
+                self.put("center", &path, Place { at, ..Place::default() });
             }
         }
     }

@@ -173,8 +173,14 @@ impl Sketch<'_> {
             let ConnectionKind::Support { at, directions, axes, on } = &connection.kind else { continue };
             let path = format!("supports.{}", connection.name);
             let place = self.seen(*at);
-            let bearer = on.map_or(0, |f| self.groups.of(f));
+            // it holds its body against what that stands on
+            let bearer = on.map_or(self.groups.all[self.group_of(*at)].carrier, |f| self.groups.of(f));
             self.rides = Rides::on(bearer);
+            // floors and guides of blocks show what holds them across their way
+            let own = self.group_of(*at);
+            if self.blocks[own].is_some() && matches!(self.groups.all[own].joint, Joint::Slides(_)) {
+                continue;
+            }
             let turned = self.numbers.frames[0][axes.index()].angle();
             let has = |d: SupportDirection| directions.contains(&d);
             let (x, y, fixed) = (has(SupportDirection::X), has(SupportDirection::Y), has(SupportDirection::TurnZ));

@@ -127,8 +127,9 @@ impl Cut<'_, '_> {
                         self.pull(names, (pair[0], pair[1]));
                     }
                 }
-                ConnectionKind::Wheels { between, radii, .. } => {
-                    self.mesh(names, *between, radii.map(|r| self.sketch.numbers.value(machine, r)))
+                ConnectionKind::Wheels { between, radii, opposite, .. } => {
+                    let radii = radii.map(|r| self.sketch.numbers.value(machine, r));
+                    self.mesh(names, (*between, radii), if *opposite { 1.0 } else { -1.0 });
                 }
                 ConnectionKind::Rolling { .. } => self.rolling(names, &c.kind),
                 _ => {}
@@ -195,15 +196,18 @@ impl Cut<'_, '_> {
     }
 
     /// The tooth or belt force on a wheel: it turns the second one in the positive direction.
-    fn mesh(&mut self, (path, name): (&str, &str), between: [FrameId; 2], radii: [f64; 2]) {
+    /// The first one, too, where they turn opposite to one another (`sense` 1), else in the negative one (-1): r₁ φ₁ ± r₂ φ₂ = 0.
+    fn mesh(&mut self, (path, name): (&str, &str), (between, radii): ([FrameId; 2], [f64; 2]), sense: f64) {
         let mine = between.map(|f| self.sketch.groups.of(f) == self.group);
         let Some(k) = (0..2).find(|k| mine[*k] && !mine[1 - *k]) else { return };
         let [own, other] = [between[k], between[1 - k]].map(|f| self.sketch.origin(f));
         let r = self.sketch.long(radii[k]);
         let toward = direction(own, other);
-        let contact = polar(own, r, toward);
-        // on the second wheel the force is along the rim counter-clockwise; the first feels it reversed
-        let turn = if k == 1 { toward + FRAC_PI_2 } else { direction(other, own) + FRAC_PI_2 + PI };
+        // the smaller wheel meshes with inner teeth on its far side
+        let inside = path.starts_with("gears") && sense < 0.0 && radii[k] < radii[1 - k];
+        let side = if inside { toward + PI } else { toward };
+        let contact = polar(own, r, side);
+        let turn = side + FRAC_PI_2 * if k == 1 { 1.0 } else { sense };
         let letter = self.letter("force", name, "F");
         self.arrow(path, (contact, turn), letter);
     }
@@ -249,11 +253,23 @@ impl Cut<'_, '_> {
             let name = self.name_at(at);
             self.components((&own.path, &name), at, (FrameId::GROUND, sign));
         }
-        if let (Joint::Slides(way), true) = (own.joint, self.sketch.is_guided(self.group)) {
+        if let (Joint::Slides(way), true) = (own.joint, self.is_pressed()) {
             let Some(turn) = self.sketch.stage.turn(way) else { return };
             let at = self.sketch.middle(self.group);
             self.arrow(&own.path, (at, turn + FRAC_PI_2), LabelText::Symbol("N".into()));
         }
+    }
+
+    /// Whether something that the coordinates hide holds a body across its way: nothing of the file does, and something presses it there.
+    fn is_pressed(&self) -> bool {
+        let sketch = &*self.sketch;
+        let held = sketch.machine.model.connections.iter().any(|c| match &c.kind {
+            ConnectionKind::Support { at, .. } => self.is_mine(*at),
+            ConnectionKind::Slider { point, .. } => self.is_mine(*point),
+            _ => false,
+        });
+        let carries = sketch.groups.all.iter().any(|g| g.carrier == self.group && g.joint == Joint::Turns);
+        !held && (sketch.is_guided(self.group) || carries)
     }
 
     /// The point of the file that is there.

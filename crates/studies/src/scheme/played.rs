@@ -2,16 +2,19 @@
 
 use super::moving::along;
 use crate::machine::Machine;
-use crate::results::Results;
+use crate::results::{Results, contacts};
 use analysis::System;
 use analysis::dataset::Trail;
+use report::figure::bands::{State, Stretch};
 use report::scheme::Moving;
-use report::scheme::moving::Clock;
+use report::scheme::moving::{Clock, Stay};
 use std::f64::consts::TAU;
 use words::Language;
 
 /// Shapes that a page plays.
 const MOST_SHAPES: usize = 6;
+/// States of a contact that a picture shows.
+const MOST_STATES: usize = 1000;
 /// Frames of a swing.
 const FRAMES: usize = 48;
 /// A swing is played in this time, s.
@@ -33,7 +36,25 @@ fn motion(machine: &Machine, results: &Results, language: Language) -> Option<Mo
     let data = &results.data;
     let axis = &data.columns.get(data.axis?)?.quantity;
     let clock = Clock { symbol: axis.symbol.clone(), unit: axis.unit.clone(), repeats: matches!(results.kind, "periodic" | "kinematics") };
-    along(machine, (&data.trail, clock), language)
+    let mut moving = along(machine, (&data.trail, clock), language)?;
+    for (contact, stretches) in contacts::courses(data) {
+        let own = format!(".{contact}");
+        let items = moving.scheme.items.iter().enumerate().filter(|(_, item)| item.path.ends_with(&own));
+        let states: Vec<Stay> = stretches.iter().take(MOST_STATES).filter_map(stay).collect();
+        moving.states.extend(items.map(|(i, _)| (i, states.clone())));
+    }
+    Some(moving)
+}
+
+/// What is seen of a state: a thread that hangs or a contact that is open, a friction that sticks, one that slides.
+fn stay(stretch: &Stretch) -> Option<Stay> {
+    let look = match stretch.state {
+        State::Open => "open",
+        State::Sticks => "sticks",
+        State::Forward | State::Backward => "slips",
+        State::Closed => return None,
+    };
+    Some(Stay { from: stretch.from, to: stretch.to, look })
 }
 
 /// A picture for each shape: the grey place of rest, the machine swinging about it.

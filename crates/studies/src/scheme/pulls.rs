@@ -185,6 +185,10 @@ impl Sketch<'_> {
                     let low = polar(block.center, -block.half[1], block.turn + FRAC_PI_2);
                     let letter = self.letter(act);
                     self.note(letter, polar(low, block.half[0], block.turn), 0.5 * S, Some(0.6));
+                    if let Some(ConnectionKind::Friction { kinetic, fixed: Some(_), .. }) = self.connection(act) {
+                        let kinetic = self.letters.of(*kinetic, &act.path);
+                        self.note(kinetic, polar(low, -block.half[0], block.turn), 0.5 * S, Some(PI - 0.6));
+                    }
                     if driven != 0.0 {
                         let way = turn + if driven > 0.0 { PI } else { 0.0 };
                         let from = polar(polar(low, -S, block.turn + FRAC_PI_2), -1.1 * S, way);

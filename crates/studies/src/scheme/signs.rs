@@ -54,7 +54,11 @@ impl Sketch<'_> {
 
     /// Gives a group the next number.
     pub(super) fn number(&mut self, group: usize, at: P, away: f64) {
-        let next = self.groups.all.iter().map(|g| g.number).max().unwrap_or(0) + 1;
+        // the number of its first body in the order of the file, as in the written calculation
+        let frames = &self.machine.model.frames;
+        let bodies = |until: usize| frames[..=until].iter().filter(|f| f.is_body).count();
+        let first = self.groups.all[group].frames.iter().map(|f| f.index()).filter(|i| frames[*i].is_body).min();
+        let next = first.map_or(0, bodies);
         self.groups.all[group].number = next;
         self.rides = Rides::on(group);
         self.note(LabelText::Number(next), at, away, None);
@@ -228,7 +232,11 @@ impl Sketch<'_> {
             let Some(text) = self.letters.symbol(mass.mass) else { continue };
             let group = self.groups.of(FrameId(i));
             let center = self.numbers.at(0, mechanics::model::PointRef::Center(FrameId(i)));
-            let at = self.blocks[group].map_or_else(|| self.stage.at(group, center), |b| b.center);
+            // an unbalance is drawn farther from its axis than it is
+            let path = &self.groups.all[group].path;
+            let drawn = self.scheme.items.iter().find(|i| i.symbol.name == "rotor" && i.path == *path).map(|i| i.place.to);
+            let real = || drawn.unwrap_or_else(|| self.stage.at(group, center));
+            let at = self.blocks[group].map_or_else(real, |b| b.center);
             let away = match self.blocks[group] {
                 Some(block) => block.half[1] + 3.0,
                 None => {

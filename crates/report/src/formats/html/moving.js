@@ -35,6 +35,7 @@
       const g = svg.querySelector(`[data-item="${item.g}"]`);
       return { ...item, g, paths: [...g.querySelectorAll("path:not(.run)")], run: g.querySelector(".run") };
     });
+    const states = movie.states.map(([i, stays]) => ({ g: svg.querySelector(`[data-item="${i}"]`), stays, look: "" }));
     const labels = movie.labels.map(([i, a, b, x, y]) => ({ g: svg.querySelector(`[data-label="${i}"]`), a, b, x, y }));
     const last = movie.first + movie.span;
     let now = movie.shown, playing = false, before = 0, told = 0, pace = movie.pace, again = movie.clock.repeats, quiet = false;
@@ -57,7 +58,7 @@
     }
     // where a thread leaves a drum
     function tangent([cx, cy], r, [fx, fy], sense) {
-      const d = Math.hypot(fx - cx, fy - cy), a = Math.atan2(cy - fy, fx - cx) - sense * (d > r ? Math.acos(r / d) : 0);
+      const d = Math.hypot(fx - cx, fy - cy), a = Math.atan2(cy - fy, fx - cx) + sense * (d > r ? Math.acos(r / d) : 0);
       return [cx + r * Math.cos(a), cy - r * Math.sin(a)];
     }
     function stretch(item) {
@@ -93,6 +94,10 @@
         }
         if (item.run) item.run.style.strokeDashoffset = round(item.runs[1] * turn(item.runs[0]));
       }
+      for (const state of states) {
+        const stay = state.stays.find(([from, to]) => from <= now && now < to), look = stay ? stay[2] : "";
+        if (look !== state.look) state.g.setAttribute("class", (state.look = look));
+      }
       for (const label of labels) {
         const [ax, ay] = image(label.a, label.x, label.y), [bx, by] = label.a === label.b ? [ax, ay] : image(label.b, label.x, label.y);
         label.g.setAttribute("transform", `translate(${round((ax + bx) / 2 - label.x)} ${round((ay + by) / 2 - label.y)})`);
@@ -127,7 +132,7 @@
       scrub.value = 1000 * (now - movie.first) / movie.span;
       scrub.setAttribute("aria-valuetext", text);
     }
-    function share_() {
+    function announce() {
       quiet = true;
       document.dispatchEvent(new CustomEvent("strutt-instant", { detail: { clock: movie.clock.name, t: now, from: holder } }));
       quiet = false;
@@ -147,7 +152,7 @@
       }
       seek(next);
       // plots follow ten times a second
-      if (stamp - told > 100 || !playing) { told = stamp; share_(); }
+      if (stamp - told > 100 || !playing) { told = stamp; announce(); }
       if (playing) requestAnimationFrame(frame);
     }
     function play() {
@@ -157,7 +162,7 @@
       requestAnimationFrame((stamp) => { before = stamp; frame(stamp); });
     }
     function stop() { playing = false; face(); }
-    function jump(t) { seek(t); share_(); }
+    function jump(t) { seek(t); announce(); }
     // a step is a frame of the film, not of the data
     const step = () => pace / 25;
     button.onclick = () => (playing ? stop() : play());

@@ -21,7 +21,9 @@ pub(super) fn write(moving: &Moving) -> Value {
         Some(json!([i, rides.at, rides.to, short(label.at[0]), short(label.at[1])]))
     });
     let (first, span) = (moving.times[0], moving.span());
+    let states = moving.states.iter().map(|(i, stays)| json!([i, stays.iter().map(|s| json!([s.from, s.to, s.look])).collect::<Vec<_>>()]));
     json!({
+        "states": states.collect::<Vec<_>>(),
         "clock": {"symbol": moving.clock.symbol, "unit": moving.clock.unit, "repeats": moving.clock.repeats},
         "first": first, "span": span, "shown": first + if moving.rest { 0.25 * span } else { 0.0 }, "pace": moving.pace(), "step": [RESOLUTION, TURN, MOMENT],
         "times": steps(moving.times.iter().map(|t| (t - first) / span), MOMENT),
@@ -132,8 +134,11 @@ impl Decoded {
         let number = |v: &Value| v.as_f64();
         let step: Vec<f64> = data["step"].as_array()?.iter().filter_map(number).collect();
         let summed = |list: &Vec<Value>, step: f64| {
-            let mut sum = 0.0;
-            list.iter().filter_map(number).map(|d| (sum += d, step * sum).1).collect::<Vec<f64>>()
+            let sums = list.iter().filter_map(number).scan(0.0, |sum, d| {
+                *sum += d;
+                Some(step * *sum)
+            });
+            sums.collect::<Vec<f64>>()
         };
         let (first, span) = (number(&data["first"])?, number(&data["span"])?);
         let times: Vec<f64> = summed(data["times"].as_array()?, step[2]).into_iter().map(|s| first + span * s).collect();

@@ -61,6 +61,19 @@ pub struct Moving {
     pub times: Vec<f64>,
     /// Tracks; the first is the ground.
     pub tracks: Vec<Track>,
+    /// How items look at times, by their numbers.
+    pub states: Vec<(usize, Vec<Stay>)>,
+}
+
+/// A look of an item for a while.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stay {
+    /// Its beginning, SI.
+    pub from: f64,
+    /// Its end.
+    pub to: f64,
+    /// `open`, `sticks`, `slips`.
+    pub look: &'static str,
 }
 
 impl Moving {
@@ -76,7 +89,7 @@ impl Moving {
         }
         let busy = 1 + tracks.iter().filter(|t| !t.at.is_empty()).count();
         let most = MOST_FRAMES.min(MOST_NUMBERS / (3 * busy)).max(2);
-        let moving = Moving { scheme, rest: false, clock, times, tracks };
+        let moving = Moving { scheme, rest: false, clock, times, tracks, states: Vec::new() };
         Some(if moving.times.len() > most { moving.thinned(most) } else { moving })
     }
 

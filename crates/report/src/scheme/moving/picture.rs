@@ -17,7 +17,8 @@ pub(super) fn write(moving: &Moving, language: Language) -> String {
     let drawn = Drawn::new(&moving.scheme, language);
     let mut out = opened(moving, &drawn, language);
     for (i, (item, ink)) in moving.scheme.items.iter().zip(&drawn.inks).enumerate() {
-        let mark = if item.rides.is_still() { String::new() } else { format!(" data-item=\"{i}\"") };
+        let shown = moving.states.iter().any(|s| s.0 == i);
+        let mark = if item.rides.is_still() && !shown { String::new() } else { format!(" data-item=\"{i}\"") };
         let _ = write!(out, "<g data-path=\"{}\"{mark}>", markup(&item.path));
         match kind(item) {
             // what the script draws anew are ways of straight pieces
