@@ -95,6 +95,18 @@ fn joints_stay_closed_and_links_keep_their_length() {
     }
 }
 
+/// A ball comes down to its floor and not through it.
+#[test]
+fn what_a_stop_holds_does_not_pass_it() {
+    let (moving, _) = pictures("bouncing-ball").remove(0);
+    let data = Decoded::read(&moving.data()).unwrap();
+    let find = |symbol: &str| moving.scheme.items.iter().find(|i| i.symbol.name == symbol).unwrap();
+    let (block, floor) = (find("block"), find("wall").place.at[1]);
+    let bottom = |k: usize| image(&data, block.rides.at, (k, block.place.at))[1] + block.place.other;
+    let lowest = (0..data.times.len()).map(bottom).fold(f64::NEG_INFINITY, f64::max);
+    assert!((lowest - floor).abs() < 0.5, "{lowest} against {floor}");
+}
+
 #[test]
 fn every_motion_of_the_gallery_has_a_picture_that_is_small() {
     for name in

@@ -6,8 +6,8 @@ use crate::results::{Results, contacts};
 use analysis::System;
 use analysis::dataset::Trail;
 use report::figure::bands::{State, Stretch};
-use report::scheme::Moving;
 use report::scheme::moving::{Clock, Stay};
+use report::scheme::{Fit, Item, Moving};
 use std::f64::consts::TAU;
 use words::Language;
 
@@ -41,7 +41,9 @@ fn motion(machine: &Machine, results: &Results, language: Language) -> Option<Mo
         let own = format!(".{contact}");
         let items = moving.scheme.items.iter().enumerate().filter(|(_, item)| item.path.ends_with(&own));
         let states: Vec<Stay> = stretches.iter().take(MOST_STATES).filter_map(stay).collect();
-        moving.states.extend(items.map(|(i, _)| (i, states.clone())));
+        // a stop looks the same whether something touches it or not
+        let shown = |item: &Item| states.iter().copied().filter(|s| s.look != "open" || item.symbol.fit == Fit::Wrap).collect::<Vec<_>>();
+        moving.states.extend(items.map(|(i, item)| (i, shown(item))).filter(|s| !s.1.is_empty()));
     }
     Some(moving)
 }

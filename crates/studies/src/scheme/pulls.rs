@@ -164,14 +164,17 @@ impl Sketch<'_> {
     /// Forces, motors, given motions, stops, frictions along a direction.
     fn push(&mut self, act: &Act, (on, way): (PointRef, V3), driven: f64) {
         let Some(turn) = self.stage.turn(way) else { return self.somewhere(act) };
-        self.rides = Rides::along(if act.table == "stops" { 0 } else { self.group_of(on) });
+        let against = if let Ends::Along { from: Some(f), .. } = act.ends { self.group_of(f) } else { 0 };
+        self.rides = Rides::along(if act.table == "stops" { against } else { self.group_of(on) });
         match act.table {
             "stops" => {
                 let Some(ConnectionKind::Stop { above, clearance, .. }) = self.connection(act) else { return };
                 let turn = if *above { turn + PI } else { turn };
                 let edge = self.grip(on, turn);
                 let value = self.numbers.pathway(&act.path).map_or(0.0, |v| v[0]);
-                let gap = self.long(value - self.numbers.value(self.machine, *clearance)).clamp(0.35 * S, 3.0 * S);
+                let gap = self.stage.scale * (value - self.numbers.value(self.machine, *clearance)).abs();
+                // what moves meets its stop; a single place shows both near each other
+                let gap = if self.course.is_empty() { gap.clamp(0.35 * S, 3.0 * S) } else { gap };
                 let at = polar(edge, gap, turn);
                 if turn.sin() < -0.9 {
                     self.put("wall", &act.path, Place { at: polar(at, -1.9 * S, 0.0), to: polar(at, 1.9 * S, 0.0), ..Place::default() });
