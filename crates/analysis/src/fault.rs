@@ -6,8 +6,11 @@ use symbolic::Expr;
 use words::digits::{number, rounded};
 use words::{Message, Notice, Text};
 
+mod assembly;
 pub mod bends;
+mod change_points;
 pub mod connections;
+pub mod contacts;
 pub mod loads;
 pub(crate) mod small;
 

@@ -10,15 +10,19 @@ mod hidden;
 mod impact;
 mod impulses;
 mod jolt;
+mod known;
 mod leap;
 mod meaning;
 mod open;
 mod parts;
 mod phases;
+mod sharing;
 mod solved;
 mod strike;
+mod supplied;
 mod ties;
 mod touches;
+mod touching;
 
 use program::lower::Selection;
 use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, Tangent, passes};
@@ -68,7 +72,7 @@ pub struct Machine {
     flows: Flows,
     /// Contacts and frictions in numbers, and where each is among the roots.
     touches: Evaluator,
-    touching: Vec<touches::Place>,
+    touching: Vec<touching::Place>,
     second: Evaluator,
     released: Evaluator,
     /// The placements of bodies among its roots.
@@ -81,7 +85,7 @@ pub struct Machine {
     /// What the entries of [`Blow::reactions`] are.
     impulses: Vec<Quantity>,
     /// What reactions can share a load.
-    sharing: open::Sharing,
+    sharing: sharing::Sharing,
     places: Evaluator,
     statics: Evaluator,
     /// Of the last expansion.
@@ -182,7 +186,7 @@ impl Machine {
             energy: bound.evaluator(&bound.program().energy)?,
             flows: Flows::new(equations, &bound)?,
             touches: general.evaluator(&program.touches)?,
-            touching: touches::places(equations, program),
+            touching: touching::places(equations, program),
             second: general.evaluator(&program.second)?,
             released: general.evaluator(&program.released)?,
             placements: placements(equations, &general)?,
@@ -190,7 +194,7 @@ impl Machine {
             laws: bound.evaluator(&bound.program().laws)?,
             balances: bound.evaluator(&bound.program().balances)?,
             impulses: equations.reactions.iter().map(impulse).collect(),
-            sharing: open::Sharing::new(equations, program),
+            sharing: sharing::Sharing::new(equations, program),
             places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
@@ -587,7 +591,7 @@ impl System for Machine {
         }
         let inputs = [change, impulses].concat();
         let point = Point { time: t, states: x, accelerations: &inputs, ..Point::default() };
-        touches::linear(&mut self.second, &point, change.len())
+        touching::linear(&mut self.second, &point, change.len())
     }
 
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {

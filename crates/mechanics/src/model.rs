@@ -3,9 +3,11 @@
 //! Nothing here is derived: kinematics and equations are the business of `derive`. Everything was checked by the reader: dimensions,
 //! cycles, dependence (positions depend on coordinates and time only, prescribed rates on time only, starts on constants only).
 
+mod change;
 mod claims;
 mod connections;
 mod law;
+mod pathway;
 mod premises;
 mod report;
 mod variants;
@@ -15,6 +17,7 @@ pub use crate::requests::*;
 pub use claims::*;
 pub use connections::*;
 pub use law::{Element, Found, Law, Push, Site, Sketch, Stage, Straight, Way};
+pub use pathway::{Measure, Pathway, Rest};
 pub use premises::{Change, Premise, Reliance, Values, unmoved};
 pub use report::{Depth, Front, Report};
 pub use variants::*;
@@ -259,37 +262,6 @@ pub struct Point {
     pub at: [Expr; 3],
     /// Place in the file (its name).
     pub span: Range<usize>,
-}
-
-/// One scalar through which an element acts.
-#[derive(Clone, Copy, Debug)]
-pub enum Pathway {
-    /// A formula over coordinates, time and position requests, and what it measures.
-    Along(Expr, Measure),
-    /// Distance between two points.
-    Distance(PointRef, PointRef),
-    /// Plane angle of the second frame minus that of the first.
-    RelativeAngle(FrameId, FrameId),
-}
-
-/// What a formula of a pathway measures: its force is a force on a length, a moment on an angle.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Measure {
-    /// A length.
-    Length,
-    /// An angle.
-    Angle,
-    /// Anything else.
-    Other,
-}
-
-/// The value of the pathway at which a spring carries its preload.
-#[derive(Clone, Copy, Debug)]
-pub enum Rest {
-    /// A formula.
-    Value(Expr),
-    /// The value of the pathway at the start of the motion.
-    Start,
 }
 
 /// A named formula for the user.

@@ -8,7 +8,7 @@ mod tables;
 
 use crate::asked::Kinds;
 use crate::fields::{self, Chapter, Words};
-use link::{file, heading};
+use link::{INDEX, file, heading, pick};
 use std::fmt::Write;
 use words::Language;
 
@@ -28,9 +28,6 @@ pub fn pages(language: Language, studies: &Kinds) -> Vec<Page> {
     pages.extend(formulas::CHAPTERS.iter().map(|chapter| of_formulas(chapter, language)));
     pages
 }
-
-/// Name of the index and of the folder of the chapters.
-const INDEX: &str = "model-file";
 
 fn of_tables(chapter: &Chapter, studies: &Kinds, language: Language) -> Page {
     let mut text = head(chapter.file, chapter.title, chapter.about, language);
@@ -60,10 +57,6 @@ fn head(name: &str, title: Words, about: Words, language: Language) -> String {
 
 fn page(name: &str, text: String, language: Language) -> Page {
     Page { path: format!("{INDEX}/{}", file(name, language)), text: format!("{}\n", text.trim_end()) }
-}
-
-fn pick(language: Language, words: Words) -> &'static str {
-    language.pick(words.0, words.1)
 }
 
 #[cfg(test)]

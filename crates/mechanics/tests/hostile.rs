@@ -23,9 +23,48 @@ const FORMULAS: [(&str, &str); 9] = [
     (STUDIES, "x - v*1 [s]"),
 ];
 
+/// A file with one formula of every sort, which is read in a fraction of the time.
+const SMALL: &str = r#"
+[parameters]
+m = "2 kg"
+k = "PARAMETER"
+[coordinates]
+x = { unit = "m", start = "START" }
+[bodies.b]
+mass = "m"
+origin = ["PLACE", "0 m"]
+[springs.s]
+along = "ALONG"
+stiffness = "k"
+[forces.f]
+along = "x"
+value = "FORCE"
+[outputs]
+y = "OUTPUT"
+[events.e]
+zero = "EVENT"
+"#;
+/// Its formulas: where they stand, and what stands there when another one is tried.
+const SORTS: [(&str, &str); 7] = [
+    ("PARAMETER", "200 N/m"),
+    ("START", "0.1 m"),
+    ("PLACE", "x"),
+    ("ALONG", "x"),
+    ("FORCE", "3 [N]*cos(2 [1/s]*t)"),
+    ("OUTPUT", "m*x'^2/2"),
+    ("EVENT", "x'"),
+];
+
+/// The small file with another formula in one place.
+fn small(place: usize, formula: &str) -> String {
+    SORTS.iter().enumerate().fold(SMALL.to_owned(), |text, (i, (name, usual))| text.replace(name, if i == place { formula } else { usual }))
+}
+
 #[test]
 fn the_formulas_stand_in_the_files() {
     assert!(FORMULAS.iter().all(|(file, written)| file.contains(written)));
+    assert!(SORTS.iter().all(|(name, _)| SMALL.matches(name).count() == 1));
+    read(&small(SORTS.len(), ""), "model.toml", &[]).unwrap();
 }
 
 fn check(text: &str) -> Result<(), TestCaseError> {
@@ -96,5 +135,14 @@ proptest! {
             }
         }
         check(&text)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3600, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_formula_of_any_sort(place in 0usize..SORTS.len(), formula in "[-+*/^()<>=,.'\\[\\]0-9a-zφ² ]{0,40}") {
+        check(&small(place, &formula))?;
     }
 }

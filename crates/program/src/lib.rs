@@ -8,7 +8,11 @@
 //! statics, conditions, start). The [`Evaluator`]
 //! interprets any of them and is the oracle; [`Jets`] expands the motion in a Taylor series, [`Tangent`] gives
 //! its Jacobian. Switches are [`Guard`]s with [`Mode`]s.
-//! Everything that can go wrong is a [`Fault`] with code, cause and cure.
+//! Everything that can go wrong is a [`Fault`] with code, cause and cure. It knows no mechanics: what an expression means is nobody's business here.
+//!
+//! Rooms, in order of reading: `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `solve`, `general`,
+//! `spare`, `rounding` (values) - `mode`, `guard` (switches) - `jets`, `tangent` (series, Jacobian) - [`curve`], `behind` (whether polynomials are what they stand for) -
+//! `program`, `fault`.
 //!
 //! ```
 //! use program::{Evaluator, Point, lower, text};

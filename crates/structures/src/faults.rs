@@ -1,9 +1,11 @@
 //! What can be wrong with a structure that was read without errors: codes S050 to S059.
 
-use crate::Fault;
 use algebra::elementary;
 use words::explain::{Explanation, plain};
 use words::{Message, Text};
+
+/// What can be wrong with a structure.
+pub type Fault = words::Notice;
 
 /// Long texts of the codes of this folder.
 pub const EXPLANATIONS: &[Explanation] = &[

@@ -1,4 +1,4 @@
-//! The command line as types, but for studies, whose options are made of their keys (`commands/line.rs`). Help texts here are English; `localize`
+//! The command line as types, but for studies, whose options are made of their keys (`line.rs`). Help texts here are English; `localize`
 //! puts the Russian ones in.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};

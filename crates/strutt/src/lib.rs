@@ -1,5 +1,8 @@
 //! The library behind the command `strutt`: files, folders of results, findings as text, examples. What a file may ask and the street from a model to
-//! a written calculation stand in [`studies`].
+//! a written calculation stand in [`studies`]. It knows no physics.
+//!
+//! Rooms, in order of reading: [`source`], [`files`], `shelf`, [`folder`], [`pdf`], [`system`] (files and the machine that it runs on) - [`diagnostics`], [`mod@explain`],
+//! [`wording`] - [`variants`], [`class`] - [`gallery`], [`chain`]. The program: `main`, `args`, `line`, `localize`, `console`, `quantities`, `commands`.
 //!
 //! ```
 //! use studies::{Source, Watch, pipeline};

@@ -44,9 +44,7 @@ fn with_studies(command: Command, language: Language) -> Command {
         let at = order(place.next().unwrap_or(0));
         sub.display_order(at)
     });
-    crate::commands::line::commands(language)
-        .enumerate()
-        .fold(command, |command, (i, sub)| command.subcommand(sub.display_order(before + i)))
+    crate::line::commands(language).enumerate().fold(command, |command, (i, sub)| command.subcommand(sub.display_order(before + i)))
 }
 
 /// `--format` of the commands that show a calculation, made of the rows of the formats.

@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod console;
+mod line;
 mod localize;
 mod quantities;
 

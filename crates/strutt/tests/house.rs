@@ -1,5 +1,5 @@
-//! The rules of the house (ARCHITECTURE.md), held against the sources: arrows between crates run down the street, no import circle ties folders of a crate or
-//! more than a few files, and every chapter, code and example that a table promises is there.
+//! The rules of the house (ARCHITECTURE.md), held against the sources: arrows between crates run down the street, no import circle ties folders or files of a
+//! crate but those that are listed, and every chapter, code and example that a table promises is there.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -20,12 +20,17 @@ const STRANGERS: [(&str, &str); 9] = [
     ("mechanics", "analysis"),
     ("mechanics", "report"),
 ];
-/// More files than this in a circle are a knot.
-const FILES: usize = 4;
-/// Circles that stand: crate, a member of it, and how many members at most. One that is gone or smaller must be taken off.
-const FOLDER_CIRCLES: &[(&str, &str, usize)] = &[("analysis", "studies", 3), ("strutt", "commands", 2)];
+/// Circles of folders that stand: crate, a member of it, and how many members at most. One that is gone or smaller must be taken off.
+const FOLDER_CIRCLES: &[(&str, &str, usize)] = &[];
 /// The same for files.
-const FILE_CIRCLES: &[(&str, &str, usize)] = &[("analysis", "integrate::taylor", 11)];
+const FILE_CIRCLES: &[(&str, &str, usize)] = &[
+    // a study runs on a machine, and a machine knows the studies that its file may ask for
+    ("studies", "machine::study", 2),
+    // what a chapter is made from stands beside the list of chapters
+    ("studies", "written", ANY),
+];
+/// A circle whose members are not counted: a room that is being built.
+const ANY: usize = usize::MAX;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -101,15 +106,14 @@ impl Crate {
         found
     }
 
-    /// Paths written out in a file, `crate::a::b` and `super::b`.
+    /// Paths written out in a file outside its imports: `crate::a::b`, `super::b`, and `child::b` of a file within its folder.
     fn mentions(&self, from: &Module) -> Vec<Module> {
-        let text = &self.files[from];
-        let starts = ["crate::", "super::"].into_iter().flat_map(|word| text.match_indices(word).map(|(i, _)| i));
-        let path = |i: usize| -> Module {
-            let end = text[i..].find(|c: char| !c.is_alphanumeric() && c != '_' && c != ':').map_or(text.len(), |n| i + n);
-            text[i..end].trim_end_matches(':').split("::").map(str::to_owned).collect()
-        };
-        starts.filter_map(|i| self.absolute(from, &path(i))).collect()
+        // `pub(in crate::a)` says who may see, not what is used
+        let text = without_imports(&self.files[from]).replace("(in crate::", "(");
+        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_' && c != ':');
+        let paths = words.filter(|word| word.trim_matches(':').contains("::"));
+        let path = |word: &str| -> Module { word.trim_matches(':').split("::").map(str::to_owned).collect() };
+        paths.filter_map(|word| self.absolute(from, &path(word))).collect()
     }
 
     /// A path from the crate's root; none into other crates.
@@ -173,6 +177,23 @@ fn module(source: &Path, file: &Path) -> Module {
 fn bare(text: &str) -> String {
     let text = &text[..text.find("#[cfg(test)]").unwrap_or(text.len())];
     text.lines().map(|line| line.find("//").map_or(line, |i| &line[..i])).collect::<Vec<_>>().join("\n")
+}
+
+/// Without `use ...;`, over one line or several.
+fn without_imports(text: &str) -> String {
+    let mut kept = String::new();
+    let mut inside = false;
+    for line in text.lines() {
+        let words = line.trim_start();
+        let visible = ["pub ", "pub(crate) ", "pub(super) "].into_iter().find_map(|word| words.strip_prefix(word));
+        inside |= visible.unwrap_or(words).starts_with("use ");
+        if !inside {
+            kept += line;
+            kept.push('\n');
+        }
+        inside &= !line.contains(';');
+    }
+    kept
 }
 
 /// The paths of `a::{b, c::{d as e}}`, each with the name it gets.
@@ -240,6 +261,7 @@ fn hold(name: &str, found: &[BTreeSet<Module>], known: &[(&str, &str, usize)]) -
     for circle in found {
         match known.iter().find(|k| is_in(circle, k.1)) {
             None => wrong.push(format!("{name}: a circle of {}: {}", circle.len(), shown(circle))),
+            Some(k) if k.2 == ANY => {}
             Some(k) if circle.len() > k.2 => {
                 wrong.push(format!("{name}: the circle of {} has grown to {}: {}", k.1, circle.len(), shown(circle)))
             }
@@ -274,7 +296,7 @@ fn arrows_between_crates_run_down_the_street() {
 }
 
 #[test]
-fn no_circle_ties_folders_or_many_files() {
+fn no_circle_ties_folders_or_files() {
     let mut wrong = Vec::new();
     for name in STREET {
         let arrows = Crate::open(name).arrows();
@@ -284,8 +306,7 @@ fn no_circle_ties_folders_or_many_files() {
             arrows.iter().filter_map(|(a, b)| Some((folder(a)?, folder(b)?))).filter(|(a, b)| a != b).collect();
         wrong.extend(hold(name, &circles(&between), FOLDER_CIRCLES));
         let inner: BTreeSet<(Module, Module)> = arrows.into_iter().filter(|(a, b)| !a.is_empty() && !b.is_empty()).collect();
-        let large: Vec<BTreeSet<Module>> = circles(&inner).into_iter().filter(|c| c.len() > FILES).collect();
-        wrong.extend(hold(name, &large, FILE_CIRCLES));
+        wrong.extend(hold(name, &circles(&inner), FILE_CIRCLES));
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
@@ -360,6 +381,18 @@ fn the_map_of_the_house_is_short() {
     assert!(read(&root().join("ARCHITECTURE.md")).lines().count() <= 80);
 }
 
+/// A crate begins with what it must not know and with its rooms in order of reading.
+#[test]
+fn every_crate_says_its_rooms() {
+    for name in STREET {
+        let text = read(&root().join("crates").join(name).join("src/lib.rs"));
+        let head: String = text.lines().take_while(|line| line.starts_with("//!")).collect::<Vec<_>>().join(" ").to_lowercase();
+        assert!(head.contains("order of reading"), "{name} does not name its rooms");
+        let strange = ["know", "no physics", "does not evaluate"].iter().any(|word| head.contains(word));
+        assert!(strange, "{name} does not say what it must not know");
+    }
+}
+
 /// Every file of the library begins with what it is.
 #[test]
 fn every_file_says_what_it_is() {
@@ -387,13 +420,17 @@ fn a_circle_is_seen() {
     small.files.insert(file("b"), "pub use crate::c::C;\n".into());
     small.files.insert(file("c"), "fn f() { super::a::g() }\n".into());
     small.files.insert(file("d"), "use crate::a::A;\n".into());
+    // a file and one within its folder, called by its path
+    small.files.insert(file("e"), "mod child;\nfn f() { child::g() }\n".into());
+    small.files.insert(vec!["e".into(), "child".into()], "use super::{\n    E,\n};\n".into());
     let names: Vec<Module> = small.files.keys().cloned().collect();
     for name in names {
         let handed = small.imports(&name, Which::HandedOn).into_iter().map(|(path, alias)| (alias, path)).collect();
         small.handed.insert(name, handed);
     }
     let found = circles(&small.arrows());
-    assert_eq!(found, [["a", "b", "c"].iter().map(|n| file(n)).collect::<BTreeSet<_>>()]);
+    let nested: BTreeSet<Module> = [file("e"), vec!["e".to_owned(), "child".to_owned()]].into();
+    assert_eq!(found, [["a", "b", "c"].iter().map(|n| file(n)).collect::<BTreeSet<_>>(), nested]);
 }
 
 /// Whether a line of a test compares with a bare small number: `< 1e-9`, `<= 2.5e-12`.

@@ -124,7 +124,7 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     if machine.model.unknowns.is_empty() {
         options.impending = crate::machine::unknowns::impending(&machine.model, &machine.equations);
     }
-    let (mut outcome, timing, equations) = if analysis::rest::report::is_free(&machine.equations) {
+    let (mut outcome, timing, equations) = if analysis::studies::rest::report::is_free(&machine.equations) {
         let n = machine.equations.coordinates.len();
         let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
         let found = analysis::studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
@@ -132,8 +132,8 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     } else {
         let resting = Resting::new(&machine.equations)?;
         let parameters = numbers_of(resting.equations());
-        let studied = analysis::rest::report::Studied { rest: resting.equations(), motion: &machine.equations };
-        (analysis::rest::report::study(studied, &parameters, &start, &options), resting.timing, resting.equations().clone())
+        let studied = analysis::studies::rest::report::Studied { rest: resting.equations(), motion: &machine.equations };
+        (analysis::studies::rest::report::study(studied, &parameters, &start, &options), resting.timing, resting.equations().clone())
     };
     let column = |name: &str| outcome.dataset.column(name).map(|c| c.values.clone()).unwrap_or_default();
     if let Some(fault) = crate::strands::pushing(machine, column) {

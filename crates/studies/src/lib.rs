@@ -2,6 +2,11 @@
 //!
 //! A study says its keys ([`Study::kind`]), is carried out on a machine ([`Study::run`]) and gives what it found. From its keys follow the reader of
 //! `[[study]]`, the options of `strutt NAME` with their help in both languages, the completions of shells and the reference of the model file.
+//! It knows no terminal, process, file or clock.
+//!
+//! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`] - [`results`], [`observable`] - [`machine`], [`frame`] - [`small`], [`structure`], [`phases`]
+//! (what several studies share) - one file a study - [`sweep`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`scheme`], [`calculation`], [`document`],
+//! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large
 #![allow(clippy::result_large_err)]

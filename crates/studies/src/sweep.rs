@@ -1,13 +1,11 @@
 //! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
 
+mod repeated;
 mod rests;
 
 use super::keys::OWN_PLOT;
-use super::periodic::Periodic;
-use super::periodic::{self, in_words};
-use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, idle, overlaid};
+use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::machine::bind::Binding;
 use crate::machine::{self, Machine};
 use crate::observable::{Absent, Observable};
 use crate::provenance;
@@ -21,6 +19,8 @@ use mechanics::model::{Plot, SweepRange};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
 use words::{Notice, Text};
+
+use repeated::{Repeated, changed, observing, one};
 
 /// Results of the study `periodic` that no other study has.
 const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
@@ -405,22 +405,6 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Observable)]) -> 
     Ok((base, of))
 }
 
-/// A study of the file, or one from nothing, with what the command line says of it.
-fn changed(machine: &Machine, kind: &str, of_file: Option<Asked>, inner: &Asked) -> Result<Asked, Notice> {
-    let Some(study) = machine.origin.studies.find(kind) else { return Ok(of_file.unwrap_or_default()) };
-    if inner.values().is_empty()
-        && let Some(asked) = of_file
-    {
-        return Ok(asked);
-    }
-    if let Some((key, _)) = inner.values().iter().find(|(key, _)| study.kind().key(key).is_none()) {
-        let (en, ru) =
-            (format!("the repeated study `{kind}` has no such key"), format!("у повторяемого расчёта `{kind}` нет такого ключа"));
-        return Err(in_words(idle(&format!("--{}", key.replace('_', "-")), &Text::new(en, ru))));
-    }
-    study.merge(machine, Given { written: None, of_file, line: inner, drawn: false }).map_err(in_words)
-}
-
 fn sort(machine: &Machine, asked: &Asked) -> Repeats {
     machine.origin.studies.find(asked.kind).map_or(Repeats::Never, |study| study.repeats())
 }
@@ -431,73 +415,6 @@ fn moves(machine: &Machine, asked: &Asked) -> bool {
 
 fn rests(machine: &Machine, asked: &Asked) -> bool {
     sort(machine, asked) == Repeats::Rest
-}
-
-/// Lets a study give these columns only, and draw nothing.
-fn observing(machine: &Machine, asked: &mut Asked, columns: Vec<String>) {
-    let kind = machine.origin.studies.find(asked.kind).map(|study| study.kind());
-    if kind.is_some_and(|kind| kind.key("outputs").is_some() && kind.key("tolerance").is_some() && asked.kind != "transient") {
-        asked.set("outputs", Taken::Words(columns));
-        asked.unset("plot");
-    }
-}
-
-/// What is repeated, which study of the file it is, and what the command line says of it.
-struct Repeated<'a> {
-    base: &'a Asked,
-    of: Option<usize>,
-    inner: &'a Asked,
-}
-
-impl Repeated<'_> {
-    /// The study as the file reads with the values: its formulas (a period 2*pi/w) may depend on them.
-    fn at(&self, machine: &Machine) -> Result<Asked, Notice> {
-        let Some(fresh) = self.of.and_then(|k| machine.model.studies.get(k)) else { return Ok(self.base.clone()) };
-        let mut fresh = changed(machine, fresh.kind, Some(fresh.clone()), self.inner)?;
-        observing(machine, &mut fresh, self.base.words("outputs").to_vec());
-        Ok(fresh)
-    }
-}
-
-/// The study at one place.
-fn one(
-    (machine, anew): (&mut Machine, &mut usize),
-    repeated: &Repeated<'_>,
-    values: &[(String, f64)],
-    guess: &mut Option<Vec<f64>>,
-    watch: &mut Watch,
-) -> Result<Results, Notice> {
-    let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    *anew += usize::from(machine.bind(&values).map_err(in_words)? == Binding::Anew);
-    let base = &repeated.at(machine)?;
-    // what is tuned is not the machine of the next place
-    let mut own = base.has("wanted_period").then(|| machine.clone());
-    let machine = own.as_mut().unwrap_or(machine);
-    let study = (base.kind == "periodic").then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
-    let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
-    if let (Some(study), Some(x)) = (&study, guess.as_ref()) {
-        // the regime before is the better guess; when it leads nowhere, the file's start is tried
-        let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
-        if outcome.fault.is_none() {
-            *guess = Some(outcome.regime.start.clone());
-            return Ok(periodic::results(machine, study, outcome, None));
-        }
-    }
-    let finding = match &study {
-        Some(study) => {
-            let outcome = periodic::regime(machine, study, &mut inner);
-            *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
-            periodic::results(machine, study, outcome, None)
-        }
-        None => match machine.origin.studies.find(base.kind).and_then(|study| study.run(machine, base, &mut inner)) {
-            Some(finding) => finding,
-            None => return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
-        },
-    };
-    match &finding.trouble {
-        Some(trouble) => Err(trouble.clone()),
-        None => Ok(finding),
-    }
 }
 
 /// The number, and what it is where the study itself says so.

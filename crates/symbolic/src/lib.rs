@@ -1,5 +1,9 @@
 //! Symbolic core: a hash-consed graph of expressions with exact numbers, derivatives, textbook forms, and [`Equations`], the
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
+//!
+//! Rooms, in order of reading: `rational`, `graph`, `build` (exact numbers; equal expressions are one node) - `walk`, `evaluate`, `substitute`, `derivative` (what is done
+//! with them) - `trigonometry`, `textbook` (how they are read) - `matrix`, `polynomial`, `characteristic`, [`transfer`] - [`equations`], [`connections`], [`waveform`]
+//! (the hand-over) - `periodic`, [`harmonics`], [`linear`] (small motions).
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]

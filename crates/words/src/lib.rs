@@ -1,5 +1,7 @@
 //! What all rooms speak with: [`Text`] in two [`Language`]s, the one [`Notice`], explanations of its codes, tables of printed words,
 //! numbers and units in sentences, letters of names, the nearest of known names. It knows nothing else of strutt.
+//!
+//! Rooms, in order of reading: [`language`], `text`, [`digits`], [`mod@unit`], `quantity` - [`letters`], `near` - [`notice`], [`explain`], `table`.
 
 #![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 

@@ -4,7 +4,7 @@
 //! allowed configuration is on the surface: the rope is taut, the stop is touched. One surface after another is closed, the most violated one first, by moving guesses
 //! alone; a contact that only given values violate, or that guesses cannot clear, is left to the study, which refuses it (S012).
 
-use super::Bench;
+use super::bench::Bench;
 use super::closing::CLOSED;
 use crate::Fault;
 use symbolic::connections::Law;

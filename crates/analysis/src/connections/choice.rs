@@ -10,9 +10,10 @@
 //! Rates are chosen alike, but coordinates without inertia first (their rates are no state that could be kept), then those whose places are
 //! guesses or were moved, because these are the followers of the machine.
 
+use super::bench::{Bench, listed};
 use super::closing::CLOSED;
+use super::level::Level;
 use super::rank::sort;
-use super::{Bench, listed};
 use crate::Fault;
 use algebra::random::Random;
 use words::Text;
@@ -23,7 +24,6 @@ const SETS: usize = 300;
 /// Defaults of which all sets are tried.
 const FEW: usize = 14;
 
-/// What is to be closed.
 /// How coordinates that close rows are sought.
 #[derive(Clone, Copy)]
 enum Search {
@@ -33,28 +33,13 @@ enum Search {
     AtOnce,
 }
 
+/// What is to be closed.
 struct Trial<'t> {
     guess: &'t [f64],
     rows: &'t [usize],
     /// Those of the rows that do not hold at the guess.
     open: &'t [usize],
     level: Level,
-}
-
-/// Whether the level of a condition is its place or its rate; also the index in `given`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Level {
-    Place,
-    Rate,
-}
-
-impl Level {
-    fn index(self) -> usize {
-        match self {
-            Level::Place => 0,
-            Level::Rate => 1,
-        }
-    }
 }
 
 impl Bench<'_> {

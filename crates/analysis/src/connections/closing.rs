@@ -12,8 +12,8 @@
 
 use words::Text;
 
-use super::choice::Level;
-use super::{Bench, listed};
+use super::bench::{Bench, listed};
+use super::level::Level;
 use symbolic::connections::Law;
 
 use crate::Fault;

@@ -12,7 +12,8 @@ use program::lower::{Repeated, Selection};
 use symbolic::connections::{Law, Reaction};
 use words::Text;
 
-use super::{Bench, Undetermined, listed};
+use super::Undetermined;
+use super::bench::{Bench, listed};
 use crate::Fault;
 use algebra::qr::{Qr, norm};
 use algebra::random::Random;

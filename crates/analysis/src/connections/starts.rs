@@ -5,7 +5,8 @@
 
 use symbolic::Equations;
 
-use super::Bench;
+use super::bench::Bench;
+use super::lowered::conditions;
 use crate::Fault;
 
 /// Difference of a start from the one that lengths were measured in, relative to its size or to one metre or radian.
@@ -24,7 +25,7 @@ pub fn settle_starts(equations: &mut Equations) -> Result<(), Fault> {
     let own: Vec<_> = sought.iter().map(|(_, p)| equations.parameters[*p].symbol).collect();
     let hangs = |e: symbolic::Expr| equations.graph.symbols_in(&[e]).iter().any(|s| own.contains(s));
     let apart: Vec<bool> = equations.conditions.iter().map(|c| !c.place.is_some_and(hangs)).collect();
-    let program = super::conditions(equations)?;
+    let program = conditions(equations)?;
     for round in 0..ROUNDS {
         let numbers: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
         let mut bench = Bench::new(&program, equations, &numbers)?;

@@ -4,9 +4,11 @@
 //! sliding [`events`] decides the modes of the next step.
 
 pub mod events;
+mod series;
 mod step;
 pub mod stiff;
 pub mod taylor;
 
+pub(crate) use series::Series;
 pub use step::Step;
-pub(crate) use step::{Series, increment_and_slope};
+pub(crate) use step::increment_and_slope;

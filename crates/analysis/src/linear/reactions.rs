@@ -24,7 +24,8 @@ use symbolic::connections::Law;
 use symbolic::{Expr, SymbolId};
 use words::Text;
 
-use super::{LinearMachine, Place, Seen};
+use super::machine::{LinearMachine, Place};
+use super::seen::Seen;
 use crate::Fault;
 use algebra::qr::{DEPENDENT, Qr};
 

@@ -12,14 +12,12 @@
 //! moments that are unique keep theirs.
 
 use algebra::elementary;
-use std::collections::BTreeMap;
 
-use program::{GuardKind, Mode, Point, Program};
-use symbolic::Equations;
-use symbolic::connections::{Law, Normal};
+use program::{Mode, Point};
 
 use super::Machine;
 use super::conditions::{Conditions, Holds};
+use super::sharing::Sharing;
 use crate::Fault;
 use crate::rest::admissible::{Hold, Holds as Held, Limit};
 use algebra::qr::Qr;
@@ -30,54 +28,6 @@ const NOTHING: f64 = 1e-9;
 const STEADY: f64 = 1e-7;
 /// Repetitions for frictions that press each other.
 const TURNS: usize = 50;
-
-/// What can share a load, known from the equations.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Sharing {
-    /// Guards of what is left to others, and of what it belongs to.
-    shares: Vec<[usize; 2]>,
-    /// Guards by which several frictions go.
-    together: Vec<usize>,
-    /// The guard that says on which side of zero the normal force of a friction is, by reaction.
-    sides: Vec<(usize, usize)>,
-    /// By friction: whether its normal force is made of reactions alone.
-    whole: Vec<bool>,
-    /// Whether formulas with switches move what supports act on: how many of them share may then change along the motion. Otherwise it is known from the start.
-    piecewise: bool,
-    /// Outputs that have had no value so far, with the guards that shared the load.
-    pub(super) seen: BTreeMap<usize, Vec<usize>>,
-}
-
-impl Sharing {
-    pub(super) fn new(equations: &Equations, program: &Program) -> Sharing {
-        let mut sharing = Sharing { piecewise: crate::connections::is_piecewise(equations), ..Sharing::default() };
-        for (i, guard) in program.guards.iter().enumerate() {
-            match guard.kind {
-                GuardKind::Share { of, .. } => sharing.shares.push([i, of]),
-                GuardKind::Normal { reaction } => sharing.sides.push((reaction, i)),
-                _ => {}
-            }
-        }
-        let mut before = Vec::new();
-        for (reaction, guard) in equations.reactions.iter().zip(&program.switches) {
-            let Law::Friction(friction) = &reaction.law else { continue };
-            let free = |normal: &Normal| equations.graph.is_zero(normal.constant);
-            sharing.whole.push(friction.components().all(free));
-            let Some(guard) = guard else { continue };
-            if before.contains(guard) {
-                sharing.together.push(*guard);
-            }
-            before.push(*guard);
-        }
-        sharing
-    }
-
-    /// Whether something is shared in these modes.
-    fn may_share(&self, modes: &[Mode]) -> bool {
-        let idle = |[share, of]: &[usize; 2]| modes[*share] != Mode::Positive && modes[*of] == Mode::Zero;
-        self.piecewise || self.shares.iter().any(idle) || self.together.iter().any(|guard| modes[*guard] == Mode::Zero)
-    }
-}
 
 /// A reaction that acts as a force of its own at a state.
 struct Acting {

@@ -2,7 +2,7 @@
 //!
 //! Each combination of such parts is a linear system; what its solution contradicts is exchanged, at last all combinations are tried.
 
-use super::strike::{Law, Pressure, SILENT, Strike};
+use super::strike::{Goal, Law, Pressure, SILENT, Strike};
 use algebra::lu::Lu;
 
 /// Most combinations of a blow that are tried one by one.
@@ -154,13 +154,4 @@ impl Strike {
         }
         worst.map(|(k, part, _)| (k, part))
     }
-}
-
-/// What a blow must reach: a contact at least this rate, or no more than this impulse; a friction this rate, if its limit allows.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Goal {
-    pub rate: f64,
-    /// `rate` less the present one.
-    pub change: f64,
-    pub impulse: f64,
 }

@@ -16,8 +16,8 @@
 //! *Source*: E. J. Routh, Dynamics of a System of Rigid Bodies, part 1, chapter 5; Y. Wang and M. T. Mason, Two-dimensional rigid-body collisions with
 //! friction, J. Appl. Mech. 59 (1992) 635-642; F. Pfeiffer and C. Glocker, Multibody Dynamics with Unilateral Contacts, chapter 8.
 
-use super::parts::{Goal, Part};
-use super::strike::{Law, SILENT, Strike};
+use super::parts::Part;
+use super::strike::{Goal, Law, SILENT, Strike};
 use crate::Fault;
 use symbolic::connections::Rebound;
 

@@ -6,9 +6,8 @@
 use symbolic::connections::{Impacts, Rebound};
 use words::Text;
 
-use super::parts::Goal;
 use super::ties::RATE;
-use crate::fault::connections::Gaining;
+use crate::fault::contacts::Gaining;
 use crate::{Blow, Fault, SingleBlow};
 
 /// Share of the largest rate below which a closing rate is rounding.
@@ -48,6 +47,15 @@ pub(super) enum Law {
     },
     /// No slip at the contact of the same guard.
     Rough,
+}
+
+/// What a blow must reach: a contact at least this rate, or no more than this impulse; a friction this rate, if its limit allows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Goal {
+    pub rate: f64,
+    /// `rate` less the present one.
+    pub change: f64,
+    pub impulse: f64,
 }
 
 /// Components of a normal impulse.

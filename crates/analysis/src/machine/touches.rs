@@ -1,45 +1,14 @@
 //! Contacts and frictions in numbers, for audits: from the tape `touches`, which goes by values where the dynamics go by modes.
 
 use algebra::elementary;
-use program::{Evaluator, Point, Program, TouchRoots};
-use symbolic::Equations;
-use symbolic::connections::Law;
+use program::{Point, TouchRoots};
 
+use super::touching::Place;
 use super::{Machine, Switches};
 use crate::system::{Touch, TouchLaw};
 
 /// Rates by which the ratio of sliding speeds is found: those of no motion in particular.
 const IRREGULAR: f64 = 0.618_033_988_749_894_9;
-
-/// A contact or friction that has a guard.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    /// First of its roots.
-    root: usize,
-    guard: usize,
-    reaction: usize,
-    friction: bool,
-    /// First friction with the same guard, by place.
-    leader: usize,
-}
-
-/// Where contacts and frictions are among the roots.
-pub(super) fn places(equations: &Equations, program: &Program) -> Vec<Place> {
-    let (mut found, mut root): (Vec<Place>, usize) = (Vec::new(), 0);
-    for (reaction, r) in equations.reactions.iter().enumerate() {
-        let friction = match r.law {
-            Law::Contact { .. } => false,
-            Law::Friction(_) => true,
-            _ => continue,
-        };
-        if let Some(Some(guard)) = program.switches.get(reaction) {
-            let leader = found.iter().position(|p| p.guard == *guard).unwrap_or(found.len());
-            found.push(Place { root, guard: *guard, reaction, friction, leader });
-        }
-        root += TouchRoots::WIDTH;
-    }
-    found
-}
 
 /// Values of the tape.
 struct Values<'v>(&'v [f64]);
@@ -107,23 +76,4 @@ impl Machine {
         let ratio = |(i, place): (usize, &Place)| if place.leader == i { 1.0 } else { rate(i) / rate(place.leader) };
         Some(self.touching.iter().enumerate().map(ratio).collect())
     }
-}
-
-/// Rows of a balance that is linear in its inputs: residual without the part free of them, and Σ of the terms without sign.
-pub(super) fn linear(second: &mut Evaluator, point: &Point, rows: usize) -> Option<Vec<[f64; 2]>> {
-    let mut residual = |inputs: &[f64]| -> Option<Vec<f64>> {
-        let values = second.evaluate(&Point { accelerations: inputs, ..*point }).ok()?;
-        Some(values.get(..rows)?.to_vec())
-    };
-    let whole = residual(point.accelerations)?;
-    let mut trial = vec![0.0; point.accelerations.len()];
-    let constant = residual(&trial)?;
-    let mut out: Vec<[f64; 2]> = whole.iter().zip(&constant).map(|(r, c)| [r - c, 0.0]).collect();
-    for (k, input) in point.accelerations.iter().enumerate().filter(|(_, input)| **input != 0.0) {
-        trial[k] = *input;
-        let term = residual(&trial)?;
-        trial[k] = 0.0;
-        out.iter_mut().zip(&term).zip(&constant).for_each(|((row, t), c)| row[1] += (t - c).abs());
-    }
-    Some(out)
 }

@@ -17,7 +17,7 @@ use algebra::elementary;
 use program::curve::{Curve, Range};
 use program::{Behind, Node, Seen};
 
-use super::proxy::{Points, spread};
+use super::points::{Points, spread};
 
 /// How much further than its polynomial a function may range without being looked at closely.
 const RATIO: f64 = 16.0;

@@ -2,4 +2,5 @@
 //! are looked at between the points.
 
 pub mod behind;
+pub(crate) mod points;
 pub mod proxy;

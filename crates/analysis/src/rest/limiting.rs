@@ -13,11 +13,11 @@ use symbolic::connections::Law;
 
 use super::admissible::Holds;
 use super::newton::{self, worst};
+use super::search::Range;
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::unknowns::{Impending, Limited, limit_rows, signs};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
-use crate::studies::equilibrium::Range;
 use algebra::qr::{self, norm};
 
 /// Intervals of the range; Newton's method begins at their ends.

@@ -1,25 +1,22 @@
 //! Rest: equilibria, unknown loads and reactions of machines with connections, one-sided contacts and dry friction.
 //!
 //! One system of equations ([`system`]) serves all three; `newton` solves it, [`places`] finds equilibria on the surface of the connections,
-//! [`admissible`] decides what ropes, contacts and friction can hold.
+//! [`admissible`] decides what ropes, contacts and friction can hold; [`search`] serves machines without connections. What small motions say about a place of
+//! rest stands above, in `studies::rest`.
 
 pub mod admissible;
-pub mod branch;
-pub mod changes;
-pub mod contacts;
-pub mod fall;
 pub mod faults;
-mod limiting;
+mod formulas;
+pub(crate) mod limiting;
 pub mod mean;
 pub mod near;
-mod newton;
+pub(crate) mod newton;
 pub mod numbers;
 pub mod observed;
 pub mod path;
 pub mod places;
-pub mod report;
 pub(crate) mod rows;
-pub mod stability;
+pub mod search;
 pub mod system;
 pub mod unknowns;
 
@@ -31,7 +28,7 @@ use crate::rest::admissible::{Hold, Holds, Limit};
 use crate::rest::system::{Parts, RestSystem, Rows};
 
 /// Gap of a contact, relative to the machine, that counts as closed.
-const CLOSED: f64 = 1e-9;
+pub(crate) const CLOSED: f64 = 1e-9;
 
 /// Which contacts (by reaction) are closed at these coordinates.
 ///
@@ -48,7 +45,7 @@ pub fn closed_contacts(equations: &Equations, q: &[f64], parameters: &[f64]) -> 
 }
 
 /// Size of the lengths that meet in a gap.
-fn gap_size(gap: &system::Row, q: &[f64]) -> f64 {
+pub(crate) fn gap_size(gap: &system::Row, q: &[f64]) -> f64 {
     gap.slopes[..q.len()].iter().zip(q).map(|(s, q)| s.abs() * q.abs().max(1.0)).sum::<f64>().max(f64::MIN_POSITIVE)
 }
 

@@ -5,10 +5,10 @@ use symbolic::{Equations, SymbolId};
 use super::mean::Resting;
 use super::newton::{balance, solve, worst};
 use super::places::rest_rows;
+use super::search::no_equilibrium;
 use super::system::{Parts, RestSystem};
 use crate::Fault;
 use crate::connections::assemble;
-use crate::studies::equilibrium::no_equilibrium;
 
 /// Remainder of the equations where a place rests as it is, when Newton's method makes it no better.
 const RESTS: f64 = 1e-12;

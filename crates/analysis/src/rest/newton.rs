@@ -8,7 +8,7 @@ const STEPS: usize = 100;
 /// Longest change of a coordinate in one step, SI.
 const LONGEST: f64 = 0.5;
 /// Row relative to the terms that meet in it.
-pub(super) const RESIDUAL: f64 = 1e-10;
+pub(crate) const RESIDUAL: f64 = 1e-10;
 
 /// Smallest share of the largest force to which a force is compared.
 const SHARE: f64 = 1e-3;
@@ -25,7 +25,7 @@ pub(super) fn relative(row: &Row, z: &[f64], n: usize) -> f64 {
 }
 
 /// The largest of these; forces are compared with the largest force too.
-pub(super) fn worst(rows: &[Row], z: &[f64], n: usize) -> f64 {
+pub(crate) fn worst(rows: &[Row], z: &[f64], n: usize) -> f64 {
     let largest = rows.iter().filter(|r| r.is_force).fold(0.0_f64, |m, r| m.max(size(r, z, n)));
     rows.iter().fold(0.0_f64, |m, row| {
         let floor = if row.is_force { SHARE * largest } else { 0.0 };
@@ -82,7 +82,7 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
 }
 
 /// Reactions that balance best at these coordinates, put into z.
-pub(super) fn balance(system: &mut RestSystem, z: &mut [f64]) -> Result<(), Fault> {
+pub(crate) fn balance(system: &mut RestSystem, z: &mut [f64]) -> Result<(), Fault> {
     let (n, k) = (system.n, system.reactions.len());
     z[n..n + k].fill(0.0);
     let rows = system.at(z)?;

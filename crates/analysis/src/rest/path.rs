@@ -16,7 +16,7 @@ use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::{Equations, Expr, Graph};
 
-use super::system::{at_rest, definitions, seeded};
+use super::formulas::{at_rest, definitions, seeded};
 use crate::Fault;
 use crate::waveform::{NODES, RULE};
 use algebra::random::Random;

@@ -15,10 +15,10 @@ use symbolic::Equations;
 use words::Text;
 
 use super::newton::{self, RESIDUAL, balance, worst};
+use super::search::{Equilibrium, Range};
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, gap_size};
 use crate::Fault;
-use crate::studies::equilibrium::{Equilibrium, Range};
 use algebra::qr::{self, Qr, norm};
 use algebra::random::Random;
 

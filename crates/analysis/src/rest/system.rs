@@ -16,8 +16,9 @@ use std::sync::Arc;
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::connections::Law;
-use symbolic::{Derivation, Equations, Expr, Graph, SymbolId};
+use symbolic::{Equations, Expr, Graph, SymbolId};
 
+use super::formulas::{at_rest, definitions, seeded};
 use super::path::Paths;
 use crate::Fault;
 
@@ -275,24 +276,6 @@ fn variables(equations: &Equations, parts: &Parts) -> Vec<SymbolId> {
     q.chain(reactions).chain(parts.unknowns.iter().map(|u| equations.parameters[*u].symbol)).collect()
 }
 
-/// Formulas, and turn angles of prescribed speed at their start.
-pub(super) fn definitions(equations: &Equations) -> Vec<(SymbolId, Expr)> {
-    let turned = equations.auxiliaries.iter().map(|a| (a.symbol, a.start));
-    equations.definitions.iter().map(|d| (d.symbol, d.formula)).chain(turned).collect()
-}
-
-/// ∂/∂symbol, through the definitions too.
-pub(super) fn seeded(graph: &mut Graph, definitions: &[(SymbolId, Expr)], symbol: SymbolId) -> Derivation {
-    let mut known = vec![(symbol, graph.one())];
-    for (name, formula) in definitions {
-        let inner = Derivation::new(known.iter().copied()).apply(graph, *formula);
-        if !graph.is_zero(inner) {
-            known.push((*name, inner));
-        }
-    }
-    Derivation::new(known)
-}
-
 fn roots(equations: &Equations, parts: &Parts, graph: &mut Graph) -> Roots {
     let n = equations.coordinates.len();
     let zero = graph.zero();
@@ -363,11 +346,4 @@ fn needs_balances(equations: &Equations) -> bool {
         _ => false,
     };
     equations.coordinates.is_empty() || equations.reactions.iter().any(|r| pressed(&r.law))
-}
-
-/// An expression with rates and accelerations zero.
-pub(super) fn at_rest(equations: &Equations, graph: &mut Graph, e: Expr) -> Expr {
-    let zero = graph.zero();
-    let still = equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]);
-    symbolic::Substitution::new(still.collect::<Vec<_>>()).apply(graph, e)
 }

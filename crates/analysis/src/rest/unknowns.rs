@@ -14,12 +14,12 @@ use symbolic::connections::Law;
 use words::Text;
 
 use super::admissible::Holds;
+use super::faults::{force_unit, unbalanced, undetermined};
 use super::newton::{self, worst};
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
 use crate::connections::assemble;
-use crate::studies::unknowns::{force_unit, unbalanced, undetermined};
 use algebra::qr::{self, norm};
 
 /// Share of an unknown in a direction that changes no equation, above which it is open.

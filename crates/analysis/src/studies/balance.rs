@@ -19,7 +19,8 @@ use symbolic::linear::About;
 
 use crate::Fault;
 use crate::linear::{LinearMachine, Matrices, Place, Values};
-use crate::studies::impedance::{balanced, solve};
+use crate::studies::amplitudes::balanced;
+use crate::studies::impedance::solve;
 use crate::studies::modes::Complex;
 use crate::studies::response::{Forced, magnitude};
 use crate::studies::superposition::common;

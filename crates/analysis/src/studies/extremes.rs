@@ -1,8 +1,8 @@
 //! Resonances and antiresonances of a response, with what absorbs.
 
 use crate::Fault;
+use crate::peaks::{self, Peak};
 use crate::studies::modes::{Complex, Kind, Modes};
-use crate::studies::peaks::{self, Peak};
 use crate::studies::response::{Forced, Point, magnitude, phase};
 
 /// A largest amplitude.

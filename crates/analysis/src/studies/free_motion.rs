@@ -16,7 +16,7 @@
 //! Appl. 22 (2001).
 
 use crate::linear::{Matrices, largest};
-use crate::studies::impedance::{Amplitudes, SINGULAR, balanced, cleared};
+use crate::studies::amplitudes::{Amplitudes, SINGULAR, balanced, cleared};
 use crate::studies::shapes::Complex;
 use algebra::elementary;
 use algebra::qr::Qr;
@@ -377,7 +377,8 @@ fn solved(entry: &dyn Fn(usize, usize) -> Complex, right: &[Complex], n: usize) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::studies::impedance::{Gain, solve};
+    use crate::studies::amplitudes::Gain;
+    use crate::studies::impedance::solve;
 
     /// Twists and rates in closed form: sums of a few terms about ten.
     const ROUNDING: f64 = 1e-13;

@@ -10,7 +10,7 @@ use words::{Message, Text};
 use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
 use crate::studies::balance::{self, Balance, Found, Wave, counting};
 use crate::studies::modes::Complex;
-use crate::studies::response::{Forced, magnitude};
+use crate::studies::response::{Forced, Point, magnitude};
 use crate::{Fault, Quantity};
 use words::digits::rounded;
 use words::explain::{Explanation, plain};
@@ -34,6 +34,34 @@ const PULSATING_RU: &str = "Инерция, сопротивление или ж
     поэтому на одну частоту нагрузки приходится много частот отклика, влияющих на первую. Амплитуды `response` получены по средним. Если \
     колебания инерции и сопротивления дают более сотой доли сил, в амплитудах отказано; ниже этого примечание сообщает их погрешность. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
     коэффициенты постоянны, или найдите режим с помощью `periodic`.";
+
+impl Forced<'_> {
+    /// Whether the amplitudes of a point can be believed: remarks where coefficients oscillate, and where the whole equations give others.
+    ///
+    /// *Errors*: S108 where coefficients that oscillate in time act back on them.
+    pub fn limits(&mut self, point: &Point) -> Result<Vec<Text>, Fault> {
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        self.matrices(point.omega / order)?;
+        let pulsing = steady(self.machine, &self.place, point.omega, &point.coordinates)?;
+        let bent = bent(self, point.omega / order)?;
+        Ok(pulsing.into_iter().chain(bent).collect())
+    }
+
+    /// Outputs that leave their straight line within the amplitudes of a point, and by which share; from then on superposed motions take their values
+    /// from the formulas themselves.
+    ///
+    /// *Errors*: an output has no finite value at the place.
+    pub fn curved(&mut self, point: &Point) -> Result<Vec<(usize, f64)>, Fault> {
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        self.matrices(point.omega / order)?;
+        let Some(formulas) = &self.formulas else { return Ok(Vec::new()) };
+        let seen = self.machine.observe(&self.observer, &self.place)?;
+        let shares = curved(self.machine, &self.place, formulas, &seen, (point.omega, &point.coordinates));
+        let found: Vec<(usize, f64)> = shares.into_iter().enumerate().filter(|(_, s)| *s > 0.0).collect();
+        self.bent = found.iter().map(|f| f.0).collect();
+        Ok(found)
+    }
+}
 
 /// A remark where coefficients oscillate: of a spring that pulsates, or of a load that depends on the place, which is small of second order; of the inertia of
 /// an unbalanced body on a support that turns.

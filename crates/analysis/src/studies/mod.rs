@@ -1,5 +1,6 @@
 //! Studies, one file each.
 
+pub mod amplitudes;
 mod balance;
 pub mod claims;
 pub mod cycle;
@@ -12,12 +13,12 @@ pub mod kinematics;
 pub mod least;
 pub mod limits;
 pub mod modes;
-pub mod peaks;
 pub mod periodic;
 pub mod poincare;
 mod polish;
 pub mod pushed;
 pub mod response;
+pub mod rest;
 pub mod rolling;
 pub mod shapes;
 pub mod simulate;

@@ -20,11 +20,12 @@ use words::explain::{Explanation, plain};
 use crate::Fault;
 use crate::fault::small::{refused, rounded_away};
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
-use crate::rest::branch::{Beyond, Branch};
-use crate::rest::contacts::Contacts;
-use crate::studies::equilibrium::no_equilibrium;
-use crate::studies::impedance::{Amplitudes, CANCELLED, Gain, solve};
+use crate::rest::search::no_equilibrium;
+use crate::studies::amplitudes::{Amplitudes, CANCELLED, Gain};
+use crate::studies::impedance::solve;
 use crate::studies::modes::Complex;
+use crate::studies::rest::branch::{Beyond, Branch};
+use crate::studies::rest::contacts::Contacts;
 use crate::waveform::LISTED;
 use words::digits::rounded;
 
@@ -98,8 +99,8 @@ pub struct Forced<'m> {
     own: Option<f64>,
     /// Whether phases count from sin ωt.
     from_sine: bool,
-    components: Vec<Component>,
-    current: usize,
+    pub(super) components: Vec<Component>,
+    pub(super) current: usize,
     /// The last static displacements.
     last: Option<(Still, Amplitudes)>,
     /// Frequencies of loads that do not follow the parameter.
@@ -559,32 +560,6 @@ impl<'m> Forced<'m> {
             y
         };
         Ok(seen.iter().map(one).collect())
-    }
-
-    /// Whether the amplitudes of a point can be believed: remarks where coefficients oscillate, and where the whole equations give others.
-    ///
-    /// *Errors*: S108 where coefficients that oscillate in time act back on them.
-    pub fn limits(&mut self, point: &Point) -> Result<Vec<Text>, Fault> {
-        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
-        self.matrices(point.omega / order)?;
-        let pulsing = super::limits::steady(self.machine, &self.place, point.omega, &point.coordinates)?;
-        let bent = super::limits::bent(self, point.omega / order)?;
-        Ok(pulsing.into_iter().chain(bent).collect())
-    }
-
-    /// Outputs that leave their straight line within the amplitudes of a point, and by which share; from then on superposed motions take their values
-    /// from the formulas themselves.
-    ///
-    /// *Errors*: an output has no finite value at the place.
-    pub fn curved(&mut self, point: &Point) -> Result<Vec<(usize, f64)>, Fault> {
-        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
-        self.matrices(point.omega / order)?;
-        let Some(formulas) = &self.formulas else { return Ok(Vec::new()) };
-        let seen = self.machine.observe(&self.observer, &self.place)?;
-        let shares = super::limits::curved(self.machine, &self.place, formulas, &seen, (point.omega, &point.coordinates));
-        let found: Vec<(usize, f64)> = shares.into_iter().enumerate().filter(|(_, s)| *s > 0.0).collect();
-        self.bent = found.iter().map(|f| f.0).collect();
-        Ok(found)
     }
 
     /// Whether the load is one of the machine's own, with a size.

@@ -19,7 +19,7 @@ use words::Text;
 use crate::dataset::Audit;
 use crate::fault::small::refused;
 use crate::linear::{Matrices, largest, parts};
-use crate::studies::impedance::{Amplitudes, SINGULAR};
+use crate::studies::amplitudes::{Amplitudes, SINGULAR};
 use crate::studies::shapes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, pairs, remarks};
 use crate::{Fault, Quantity};
 use algebra::lu::Lu;

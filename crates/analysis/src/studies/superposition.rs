@@ -15,8 +15,9 @@ use std::f64::consts::{PI, TAU};
 
 use crate::Fault;
 use crate::linear::{Matrices, Place, Seen};
+use crate::studies::amplitudes::Amplitudes;
 use crate::studies::free_motion::settled;
-use crate::studies::impedance::{Amplitudes, solve};
+use crate::studies::impedance::solve;
 use crate::studies::modes::Complex;
 use crate::studies::response::{Excitation, Forced, Source, gain, magnitude};
 use crate::waveform::{NODES, Panels, RULE, series};

@@ -8,11 +8,11 @@ use words::Text;
 
 use crate::dataset::{Column, Dataset, Missing};
 use crate::linear::{LinearMachine, Place};
-use crate::rest::branch::{Branch, Change};
-use crate::rest::changes;
-use crate::studies::equilibrium::no_equilibrium;
+use crate::rest::search::no_equilibrium;
 use crate::studies::modes::{self, Kind, Mode, Normalisation};
 use crate::studies::response::{Forced, Source};
+use crate::studies::rest::branch::{Branch, Change};
+use crate::studies::rest::changes;
 use crate::{Fault, Quantity};
 
 /// Modes along a parameter.

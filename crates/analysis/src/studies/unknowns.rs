@@ -7,11 +7,12 @@
 //! Gauss-Newton: ∂F/∂u is exact, the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
 //! faults, never a least-squares compromise.
 
-use words::digits::{number, rounded};
-use words::{Message, Text};
+use words::Text;
+use words::digits::number;
 
 use crate::Fault;
 use crate::linear::{LinearMachine, Place};
+use crate::rest::faults::{force_unit, unbalanced, undetermined};
 use algebra::qr::{DEPENDENT, Qr};
 
 const STEPS: usize = 100;
@@ -89,49 +90,6 @@ fn balanced(machine: &mut LinearMachine, parameters: &[usize], prepared: &crate:
         }
     }
     Ok(())
-}
-
-pub(crate) fn undetermined(name: &str) -> Fault {
-    Fault::new(Message {
-        code: "S036",
-        what: Text::new(format!("the equations of statics do not determine `{name}`"), format!("уравнения статики не определяют `{name}`")),
-        why: Text::new(
-            "changing it changes no force here, or another unknown does the same",
-            "его изменение не меняет здесь ни одной силы, либо то же делает другое неизвестное",
-        ),
-        help: Text::new("give it a value in [parameters]", "задайте его значение в [parameters]"),
-    })
-}
-
-/// The unit of the force along a coordinate, where it has a name.
-pub(crate) fn force_unit(coordinate: &str) -> &'static str {
-    match coordinate {
-        "m" => " N",
-        "rad" => " N m",
-        _ => "",
-    }
-}
-
-pub(crate) fn unbalanced(name: &str, force: f64, unit: &str) -> Fault {
-    let (f, unit) = (rounded(force), Text::unit(unit));
-    Fault::new(Message {
-        code: "S036",
-        what: Text::new(
-            format!("no value of the unknowns makes the start a place of rest: along `{name}` a force of {}{} stays", f.en, unit.en),
-            format!(
-                "начальное положение не станет положением равновесия ни при каких значениях неизвестных: по `{name}` остаётся сила {}{}",
-                f.ru, unit.ru
-            ),
-        ),
-        why: Text::new(
-            "there are fewer unknowns than forces to balance, or none of them acts along this coordinate",
-            "неизвестных меньше, чем неуравновешенных сил, либо ни одно не действует по этой координате",
-        ),
-        help: Text::new(
-            "start in a place that can be at rest, or add an unknown",
-            "начните с положения, возможного в покое, либо добавьте неизвестное",
-        ),
-    })
 }
 
 /// A found number with its name, for a remark.

@@ -7,8 +7,10 @@
 
 mod connections;
 mod explain;
+mod inertial;
 mod lagrange;
 mod loads;
+mod motion;
 mod newton_euler;
 mod place;
 mod steps;
@@ -22,8 +24,9 @@ use crate::scene::requests::{EnergyTerms, Resolver};
 use crate::scene::{Scene, Turn};
 use algebra::elementary;
 use connections::Connected;
-use lagrange::{EnergyOf, Kinetic, Quadratic};
+use lagrange::{EnergyOf, Quadratic};
 use loads::Loads;
+use motion::Motion;
 use symbolic::equations::{Applied, Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start, Step};
 use symbolic::{Equations, Expr, Matrix, SymbolId};
 use words::notice::sort;
@@ -31,8 +34,6 @@ use words::{Notice, Text};
 
 /// Above this number of coordinates, formulas are not written out.
 const LARGEST_SHOWN: usize = 12;
-/// Above this number of nodes in one equation, formulas are not written out.
-const LONGEST_SHOWN: usize = 1500;
 
 /// How much of the derivation is written down.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -77,7 +78,7 @@ fn derivation(model: &Model, detail: Detail, noted: &mut Vec<Notice>) -> Result<
     let mut connected = connections::connect(&mut scene, &mut kinematics, &mut resolver)?;
     noted.extend(missing_inertia(&scene, &kinetic.total, &connected));
     let motion = Motion::new(&mut scene, &kinetic, &loads, &connected);
-    let inertial = newton_euler::inertial(&mut scene, &mut kinematics);
+    let inertial = inertial::inertial(&mut scene, &mut kinematics);
     connected.balance(&mut scene, &mut kinematics, &loads, &inertial);
     let mut second = newton_euler::project(&mut scene, &mut kinematics, &loads, &connected);
     second.residuals.extend(connected.balance_residuals(&mut scene));
@@ -182,72 +183,6 @@ fn too_many(n: usize) -> Text {
         format!("{n} equations are not written out: more than {LARGEST_SHOWN} coordinates"),
         format!("уравнения не выписаны: координат {n}, больше {LARGEST_SHOWN}"),
     )
-}
-
-/// The parts of Lagrange's equations, Σ M_ij q''_j + gyroscopic = conservative + resisting + applied.
-struct Motion {
-    mass: Quadratic,
-    gyroscopic: Vec<Expr>,
-    forces: lagrange::Forces,
-    /// Generalized forces of reactions.
-    reactions: Vec<Expr>,
-}
-
-impl Motion {
-    fn new(scene: &mut Scene, kinetic: &Kinetic, loads: &Loads, connected: &Connected) -> Motion {
-        let gyroscopic = lagrange::gyroscopic_terms(scene, &kinetic.total);
-        let reactions = (0..scene.n()).map(|j| connected.force(scene, j)).collect();
-        Motion { mass: kinetic.total.clone(), gyroscopic, forces: lagrange::forces(scene, loads), reactions }
-    }
-
-    fn entry(&self, i: usize, j: usize) -> Option<Expr> {
-        self.mass.get(&(i.min(j), i.max(j))).copied()
-    }
-
-    fn mass_matrix(&self, scene: &mut Scene) -> Matrix {
-        let n = scene.n();
-        let mut mass = Matrix::zeros(&mut scene.graph, n, n);
-        for ((a, b), e) in self.mass.range(..(n, 0)).filter(|((_, b), _)| *b < n) {
-            mass.set(*a, *b, *e);
-            mass.set(*b, *a, *e);
-        }
-        mass
-    }
-
-    fn right_side(&self, scene: &mut Scene, i: usize) -> Expr {
-        let inertial = scene.graph.neg(self.gyroscopic[i]);
-        scene.graph.sum(&[inertial, self.forces.conservative[i], self.forces.resisting[i], self.forces.applied[i]])
-    }
-
-    fn right_sides(&self, scene: &mut Scene) -> Vec<Expr> {
-        (0..scene.n()).map(|i| self.right_side(scene, i)).collect()
-    }
-
-    /// Σ M_ij q''_j = right side, for every coordinate, unless that is too long to read.
-    fn textbook(&self, scene: &mut Scene) -> Result<Vec<Equality>, Text> {
-        let n = scene.n();
-        let mut equalities = Vec::with_capacity(n);
-        for i in 0..n {
-            let mut terms = Vec::new();
-            for j in 0..n {
-                if let Some(entry) = self.entry(i, j) {
-                    terms.push(scene.graph.mul(entry, scene.q[j][2]));
-                }
-            }
-            let left = scene.graph.sum(&terms);
-            let right = self.right_side(scene, i);
-            let right = scene.graph.add(right, self.reactions[i]);
-            let size = scene.graph.reachable(&[left, right]).len();
-            if size > LONGEST_SHOWN {
-                return Err(Text::new(
-                    format!("equation {} is not written out: it has {size} parts", i + 1),
-                    format!("уравнение {} не выписано: в нём {size} частей", i + 1),
-                ));
-            }
-            equalities.push(Equality { left, right });
-        }
-        Ok(equalities)
-    }
 }
 
 /// Whether an output wants the energy of single bodies.

@@ -1,9 +1,9 @@
 //! The written derivation, step by step, as it stands in a student's notebook.
 
-use super::Motion;
 use super::connections::Connected;
 use super::lagrange::{Kinetic, Quadratic, energy_of};
 use super::loads::{Loads, Term};
+use super::motion::Motion;
 use crate::model::{FrameId, Inertia, Mass, PointRef};
 use crate::scene::Scene;
 use crate::scene::kinematics::{Kinematics, combine};

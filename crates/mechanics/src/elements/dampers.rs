@@ -1,7 +1,7 @@
 //! Viscous dampers: Φ = b δ'²/2; the force b δ' against the growing pathway δ.
 
 use super::common::{pathway_of, per, told, useful};
-use super::{Made, Row};
+use super::row::{Made, Row};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Site, Sketch, Stage, Straight};

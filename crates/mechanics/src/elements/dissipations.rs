@@ -1,6 +1,6 @@
 //! Free-form Rayleigh functions: there is no geometry to find their forces in another way, but for what names points and bodies.
 
-use super::{Made, Row};
+use super::row::{Made, Row};
 use crate::formula::Context;
 use crate::keys::{LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Site, Sketch, Stage, Straight};

@@ -1,7 +1,7 @@
 //! Applied forces: virtual power F·v of a vector at a point, or of a force along a pathway.
 
 use super::common::{pathway_of, per};
-use super::{Made, Row};
+use super::row::{Made, Row};
 use crate::formula::{Context, Place};
 use crate::keys::{ALONG, BETWEEN, DISTANCE, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Pathway, PointRef, Push, Site, Sketch, Stage, Straight};

@@ -6,6 +6,7 @@ mod dampers;
 mod dissipations;
 mod forces;
 mod potentials;
+mod row;
 mod springs;
 mod torques;
 mod torsion_bars;
@@ -13,55 +14,17 @@ mod torsion_bars;
 pub(crate) use common::pathway_of;
 pub use forces::Force;
 pub use potentials::Potential;
+pub use row::Row;
 
-use crate::formula::{KinematicFunction, Told};
-use crate::keys::{Field, TableSpec, Type, Words, may};
+use crate::formula::KinematicFunction;
 use crate::model::{Element, Law};
 use crate::reader::{Fields, Reader};
 use std::ops::Range;
 use std::sync::Arc;
 use words::Text;
-use words::explain::Explanation;
-
-/// A kind of element.
-#[derive(Clone, Copy)]
-pub struct Row {
-    /// Its table of the file.
-    pub keys: &'static TableSpec,
-    /// What the table holds, in the list of tables.
-    pub listed: Words,
-    /// Its chapter of the verification book.
-    pub chapter: &'static str,
-    /// Functions of formulas that only it has.
-    pub functions: &'static [KinematicFunction],
-    /// Codes of findings that only it has.
-    pub explanations: &'static [Explanation],
-    /// Reads a row of the table.
-    read: for<'a> fn(&mut Reader<'a>, &Fields<'a>) -> Option<Made>,
-}
 
 /// Every kind, in the order in which elements are read and act, and in which the reference lists them.
 pub const TABLE: &[Row] = &[springs::ROW, dampers::ROW, torsion_bars::ROW, forces::ROW, torques::ROW, potentials::ROW, dissipations::ROW];
-
-/// What was read.
-pub(crate) struct Made {
-    law: Arc<dyn Law>,
-    told: Vec<Told>,
-}
-
-impl Made {
-    /// An element that no formula asks for.
-    fn silent(law: impl Law + 'static) -> Made {
-        Made { law: Arc::new(law), told: Vec::new() }
-    }
-}
-
-impl Row {
-    /// Key of its table on the top level.
-    pub const fn top(&self) -> Field {
-        may(self.keys.name, Type::Table, "", "", self.listed, "")
-    }
-}
 
 /// An element of the kind of that table.
 pub fn element(table: &'static str, name: String, law: impl Law + 'static, span: Range<usize>) -> Element {

@@ -1,7 +1,7 @@
 //! Springs: Π = c (δ − rest)²/2 + preload (δ − rest); the force c (δ − rest) + preload pulls the pathway δ shorter.
 
 use super::common::{pathway_of, per, told, useful};
-use super::{Made, Row};
+use super::row::{Made, Row};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};

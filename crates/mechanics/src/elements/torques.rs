@@ -1,6 +1,6 @@
 //! Applied torques: virtual power M·ω, less that of the opposite torque on the body that takes it.
 
-use super::{Made, Row};
+use super::row::{Made, Row};
 use crate::formula::Context;
 use crate::keys::{DISTANCE, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Site, Sketch, Stage, Straight};

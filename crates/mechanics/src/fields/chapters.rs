@@ -1,6 +1,6 @@
 //! The tables of the file by chapters of the reference, in the order in which a reader meets them.
 
-use super::{claims, distributed, events, structures as s, variants};
+use super::{claims, distributed, events, report, sections, structures as s, tables, variants};
 use crate::connections;
 use crate::elements::TABLE;
 use crate::keys::{TableSpec, Words};
@@ -27,7 +27,7 @@ pub const CHAPTERS: &[Chapter] = &[
             "What stands outside any table; gravity, impacts, titles in two languages.",
             "Что стоит вне таблиц; сила тяжести, удары, тексты на двух языках.",
         ),
-        tables: &[&super::TOP, &super::TEXT],
+        tables: &[&tables::TOP, &crate::keys::TEXT],
     },
     Chapter {
         file: "parameters",
@@ -36,13 +36,13 @@ pub const CHAPTERS: &[Chapter] = &[
             "Named values, generalized coordinates with their start, values that change in phases.",
             "Именованные величины, обобщённые координаты с начальными условиями, величины, меняющиеся по этапам.",
         ),
-        tables: &[&super::PARAMETER, &super::COORDINATE, &super::PHASE],
+        tables: &[&tables::PARAMETER, &tables::COORDINATE, &tables::PHASE],
     },
     Chapter {
         file: "bodies",
         title: ("Bodies, frames, points", "Тела, системы отсчёта, точки"),
         about: ("What moves, where it stands and what it weighs.", "Что движется, на чём стоит и какую имеет массу."),
-        tables: &[&super::FRAME, &super::BODY, &super::TENSOR, &super::POINT],
+        tables: &[&tables::FRAME, &tables::BODY, &tables::TENSOR, &tables::POINT],
     },
     Chapter {
         file: "elements",
@@ -83,8 +83,8 @@ pub const CHAPTERS: &[Chapter] = &[
             &s::DISPLACEMENT,
             &s::RAYLEIGH,
             &s::STRUCTURE,
-            &super::SECTION,
-            &super::PART,
+            &sections::SECTION,
+            &sections::PART,
         ],
     },
     Chapter {
@@ -94,13 +94,13 @@ pub const CHAPTERS: &[Chapter] = &[
             "What is to be told about a motion: named results, named instants, published values laid against the machine.",
             "Что требуется узнать о движении: именованные результаты, именованные моменты времени, опубликованные значения для сопоставления с машиной.",
         ),
-        tables: &[&super::OUTPUT, &events::EVENT, &claims::CLAIM],
+        tables: &[&tables::OUTPUT, &events::EVENT, &claims::CLAIM],
     },
     Chapter {
         file: "studies",
         title: ("Studies", "Расчёты"),
         about: ("What is to be computed, and the plots.", "Что рассчитать и какие графики построить."),
-        tables: &[&super::STUDY, &super::PLOT],
+        tables: &[&crate::asked::STUDY, &tables::PLOT],
     },
     Chapter {
         file: "variants",
@@ -115,7 +115,7 @@ pub const CHAPTERS: &[Chapter] = &[
         file: "report",
         title: ("Written calculation", "Записанный расчёт"),
         about: ("Title page, chapters and depth of `strutt report`.", "Титульный лист, главы и подробность `strutt report`."),
-        tables: &[&super::REPORT],
+        tables: &[&report::REPORT],
     },
 ];
 
@@ -169,3 +169,8 @@ const fn tables_of<const N: usize>(begin: usize) -> [&'static TableSpec; N] {
 const JOINTS: [&TableSpec; tables_before(connections::TABLE.len() - RUBBING)] = tables_of(0);
 /// The tables of contacts.
 const CONTACTS: [&TableSpec; RUBBING] = tables_of(connections::TABLE.len() - RUBBING);
+
+/// Every table, in the order of the reference.
+pub fn all() -> impl Iterator<Item = &'static TableSpec> {
+    CHAPTERS.iter().flat_map(|chapter| chapter.tables).copied()
+}

@@ -1,6 +1,7 @@
 //! Connections of a model: what joins, holds, drives, stops and rubs.
 
-use super::{FrameId, Pathway, PointRef, Rest};
+use super::pathway::{Pathway, Rest};
+use crate::requests::{FrameId, PointRef};
 use std::ops::Range;
 use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId};

@@ -1,7 +1,8 @@
 //! What an element is: its data, and what they mean to a derivation. A derivation is met through [`Stage`] alone: an element says what energy it stores, what
 //! power it loses and which forces it puts on bodies, and does not know what is done with that.
 
-use super::{FrameId, Pathway, PointRef};
+use super::pathway::Pathway;
+use crate::requests::{FrameId, PointRef};
 use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! `[[answers]]`: items that a student answers.
 
-use super::variants::{Cover, constant, parameter};
+use super::cover::{Cover, constant, parameter};
 use crate::fields;
 use crate::formula::{EntryKind, Kind, Plain, display, is_identifier};
 use crate::model::{AnswerDecl, AnswerUnit, AnswerValue, Tolerance};

@@ -3,8 +3,8 @@
 //! A name is a parameter (its value is replaced, also when it was a formula), a coordinate (its start), or a coordinate with a prime
 //! (its rate). Bare numbers are SI, and refused where the file uses another unit.
 
-use super::parameters::{RawCoordinate, RawParameter};
 use super::phases::{self, Schedule};
+use super::raw::{RawCoordinate, RawParameter};
 use crate::reader::Reader;
 use std::collections::HashSet;
 use words::{Notice, Place};

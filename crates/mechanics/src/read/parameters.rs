@@ -2,12 +2,13 @@
 
 use super::order::topological;
 use super::phases::Schedule;
+use super::raw::{RawCoordinate, RawParameter, names_of};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
 use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue, Reliance};
 use crate::reader::{Checked, Fields, Raw, Reader, short};
 use crate::snippet::{Site, Snippet};
-use crate::units::{Dimension, Unit, in_field, mismatch, si_label, written_unit};
+use crate::units::{Dimension, in_field, mismatch, si_label, written_unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -15,32 +16,6 @@ use toml::de::DeValue;
 use words::{Notice, Text};
 
 const RESERVED: [&str; 3] = ["pi", "π", "t"];
-
-/// A coordinate before its start values are read.
-pub(super) struct RawCoordinate<'a> {
-    pub name: String,
-    span: Range<usize>,
-    dimension: Kind,
-    /// whether numbers without a unit would be taken for another unit than the one named
-    scaled: Option<String>,
-    start: Option<Raw<'a>>,
-    rate: Option<Raw<'a>>,
-    /// guesses, where start and rate are found from the connections
-    guesses: [Option<Raw<'a>>; 2],
-    label: Text,
-}
-
-/// A parameter before its formula is checked.
-pub(super) struct RawParameter<'a> {
-    pub name: String,
-    span: Option<Range<usize>>,
-    raw: Raw<'a>,
-    /// what the command line sets in its place
-    by_hand: Option<Raw<'a>>,
-    /// with its place and as written
-    unit: Option<(Unit, Range<usize>, String)>,
-    label: Text,
-}
 
 /// Claims a name of formulas; reports a second claim.
 pub(super) fn claim(reader: &mut Reader, name: &str, span: &Range<usize>) -> bool {
@@ -308,11 +283,6 @@ pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>, s
         }
     }
     declared
-}
-
-/// The names that a formula uses.
-pub(super) fn names_of<'r>(raw: &'r Raw) -> impl Iterator<Item = &'r str> {
-    raw.formula.iter().flat_map(Formula::names).map(|(name, _)| name)
 }
 
 /// The fault of definitions that need each other.

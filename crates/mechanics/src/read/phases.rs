@@ -4,7 +4,7 @@
 //! hit exactly by every study. A value holds until another phase sets it. In a phase that `restarts`, the time in forces and torques
 //! counts from the start of the phase: they are written over τ = t - t0(t) instead of t.
 
-use super::parameters::{RawCoordinate, RawParameter, names_of};
+use super::raw::{RawCoordinate, RawParameter, names_of};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry as ScopeEntry, EntryKind, Kind};
 use crate::model::{Class, Element, ParameterDecl, ParameterValue};

@@ -1,8 +1,9 @@
 //! A table of the file with its description: its values by key, its rows.
 
+use super::state::{Checked, Raw, Reader};
 use super::syntax::{Table, Value};
-use super::values::{components, printable, short, string, wrong_type};
-use super::{Checked, Raw, Reader};
+use super::values::{components, printable, string};
+use super::wording::{short, wrong_type};
 use crate::formula::{Context, Kind, Scope};
 use crate::keys::{TEXT, TableSpec};
 use crate::snippet::{Site, Snippet};

@@ -1,7 +1,10 @@
 //! Names of bodies and lists of names under a key.
 
+use super::fields::Fields;
+use super::state::Reader;
 use super::syntax::Value;
-use super::{Fields, Reader, string, wrong_type};
+use super::values::string;
+use super::wording::wrong_type;
 use crate::formula::Place;
 use crate::model::FrameId;
 use std::ops::Range;

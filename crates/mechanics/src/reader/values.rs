@@ -1,35 +1,14 @@
-//! Single values of the file: strings, vectors of formulas, and the fault of a value of another type.
+//! Single values of the file: strings, vectors of formulas.
 
-use super::Reader;
+use super::state::Reader;
 use super::syntax::Value;
+use super::wording::wrong_type;
 use crate::formula::Context;
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::Expr;
 use toml::de::DeValue;
 use words::Notice;
-
-/// A long word cut for a message.
-pub(crate) fn short(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((i, _)) => format!("{}...", text[..i].escape_debug()),
-        None => text.escape_debug().to_string(),
-    }
-}
-
-pub(crate) fn wrong_type(span: Range<usize>, en: &str, ru: &str, got: &str) -> Notice {
-    let got_ru = match got {
-        "string" => "строка",
-        "integer" => "целое число",
-        "float" => "число",
-        "boolean" => "логическое значение",
-        "datetime" => "дата",
-        "array" => "массив",
-        "table" => "таблица",
-        other => other,
-    };
-    Notice::piece("M007", span, format!("expected {en}, found {got}"), format!("ожидается {ru}, а стоит {got_ru}"))
-}
 
 /// A string with its place; a finding when it is something else.
 pub(crate) fn string<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, en: &str, ru: &str) -> Option<(String, Range<usize>)> {

@@ -1,6 +1,6 @@
 //! The chapters that are not made of tables of the file: functions and units.
 
-use super::pick;
+use super::link::pick;
 use crate::fields::Words;
 use crate::formula::{KINEMATIC_FUNCTIONS, Takes};
 use std::fmt::Write;

@@ -1,7 +1,7 @@
 //! The first page: how a file is written, the chapters, every table and every key with the way to them.
 
-use super::link::{self, Place, file, heading, path};
-use super::{INDEX, formulas, pick};
+use super::formulas;
+use super::link::{self, INDEX, Place, file, heading, path, pick};
 use crate::asked::Kinds;
 use crate::fields::{self, Words};
 use std::collections::BTreeMap;

@@ -1,8 +1,15 @@
 //! Headings of tables and the links to them.
 
-use super::pick;
-use crate::fields::{CHAPTERS, Chapter, TableSpec};
+use crate::fields::{CHAPTERS, Chapter, TableSpec, Words};
 use words::Language;
+
+/// Name of the index and of the folder of the chapters.
+pub const INDEX: &str = "model-file";
+
+/// A word in a language.
+pub fn pick(language: Language, words: Words) -> &'static str {
+    language.pick(words.0, words.1)
+}
 
 /// Ending of the files of a language.
 pub fn ending(language: Language) -> &'static str {

@@ -1,6 +1,6 @@
 //! A table of the file as a table of the reference.
 
-use super::{link, pick};
+use super::link::{self, pick};
 use crate::asked::Kinds;
 use crate::fields::{Field, TableSpec, Words};
 use std::fmt::Write;

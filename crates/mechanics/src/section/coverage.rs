@@ -1,7 +1,7 @@
 //! What covers what: strips between all heights at which outlines have corners or cross, in which every boundary is a straight line.
 //! In each piece of a strip the number of parts added less those removed must be 0 or 1.
 
-use super::Part;
+use super::part::Part;
 
 /// What the parts cover.
 #[derive(Clone, Debug, Default)]

@@ -7,12 +7,14 @@ mod coverage;
 mod explain;
 mod moments;
 mod outline;
+mod part;
 mod profiles;
 
 pub use coverage::{Coverage, cover};
 pub use explain::EXPLANATIONS;
 pub use moments::{Form, Moments, of_form, together};
 pub use outline::{Contours, Outline};
+pub use part::Part;
 pub use profiles::{Kind, Profile, find as find_profile, names as profile_names};
 
 use algebra::elementary;
@@ -46,23 +48,6 @@ impl Section {
     pub fn inertia(&self) -> Expr {
         self.moments.xx
     }
-}
-
-/// A part in numbers, SI.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// What it is called in messages: `rectangle`.
-    pub kind: &'static str,
-    /// Its outline in the axes of the section.
-    pub outline: Outline,
-    /// Its own area.
-    pub area: f64,
-    /// Its own centroid in the axes of the section.
-    pub centroid: [f64; 2],
-    /// Whether it is taken out.
-    pub removed: bool,
-    /// Place in the file.
-    pub span: Range<usize>,
 }
 
 /// Geometric properties, SI. Second moments in m⁴.

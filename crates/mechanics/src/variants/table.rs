@@ -1,6 +1,6 @@
 //! A table of variants as a course gives it: CSV with commas, semicolons or tabs, remarks behind #, quotes around cells that hold a separator.
 
-use super::Misfit;
+use super::misfit::Misfit;
 use crate::model::Model;
 use words::nearest;
 

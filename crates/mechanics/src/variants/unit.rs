@@ -1,6 +1,6 @@
 //! Units of answers: what a number in SI is in the unit of the question, and what a student's quantity is in it.
 
-use super::Misfit;
+use super::misfit::Misfit;
 use crate::formula::{Plain, display};
 use crate::model::AnswerUnit;
 use crate::units::{Dimension, Quantity, Unit, parse_unit, si_label, si_label_ru};

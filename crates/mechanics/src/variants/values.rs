@@ -1,6 +1,7 @@
 //! The values of one variant: cells of a row, then formulas of the file over them.
 
-use super::{Misfit, Table};
+use super::misfit::Misfit;
+use super::table::Table;
 use crate::model::{Class, EmptyCell, Helper, Model, ParameterValue, Values, Variants};
 use crate::units::{Dimension, parse_number_or_quantity, parse_quantity, parse_unit};
 use symbolic::{Expr, SymbolId};

@@ -24,7 +24,7 @@
 //! step so short that what it misses is nothing, sup |f - c_0| <= 10 tol W and sup |f - c_0| h' <= tol² W h; the steps after it grow with the distance
 //! from the singular point.
 
-use super::recurrences::Row;
+use super::steps::{Row, Rows};
 use crate::curve::{Curve, Range};
 use algebra::elementary;
 
@@ -57,23 +57,6 @@ const PARTS: usize = 64;
 const LOOKS: usize = 12;
 /// A series of fewer coefficients says nothing of its convergence.
 const LEAST_COUNT: usize = 6;
-
-/// Coefficients of rows and the step they are taken over.
-#[derive(Clone, Copy)]
-pub(super) struct Rows<'m> {
-    pub(super) cells: &'m [f64],
-    /// Distance of the beginnings of rows.
-    pub(super) stride: usize,
-    /// Coefficients 0..count are valid in every row.
-    pub(super) count: usize,
-}
-
-impl<'m> Rows<'m> {
-    fn row(self, row: Row) -> &'m [f64] {
-        let start = row as usize * self.stride;
-        &self.cells[start..start + self.count]
-    }
-}
 
 /// Workspace of the check.
 #[derive(Clone, Debug, Default)]

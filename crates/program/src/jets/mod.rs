@@ -13,13 +13,15 @@
 mod faithful;
 mod plan;
 mod recurrences;
+mod steps;
 
 use crate::guard::needed;
 use crate::interpret::defective;
 use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
 use faithful::{Watch, Watched};
 use plan::Plan;
-use recurrences::{Memory, Step};
+use recurrences::Memory;
+use steps::Step;
 use words::Text;
 
 /// What is nearer in time than this share of it is now.

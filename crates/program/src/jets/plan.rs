@@ -1,7 +1,7 @@
 //! The dynamics tape as a list of steps over rows, with numbers for all coefficients.
 
 use super::faithful::Watched;
-use super::recurrences::{Row, Step};
+use super::steps::{Row, Step};
 use crate::curve::Curve;
 use crate::{By, Coefficient, Evaluator, Mode, Operation, Register, Spare, Unary};
 use std::sync::Arc;

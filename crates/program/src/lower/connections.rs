@@ -24,7 +24,7 @@
 
 use super::expressions::Lowering;
 use super::forms::Value;
-use super::journals::Journal;
+use super::numbers::{Journal, Numbers};
 use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Real, Register, Spare};
 use std::sync::Arc;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal};
@@ -82,38 +82,6 @@ pub(super) struct Arrangement {
     pub(super) balances: Vec<usize>,
     /// Rows of the dynamics of which some repeat others.
     pub(super) spare: Option<Arc<Spare>>,
-}
-
-/// Numbers of the guards of one reaction. Frictions that slide together have one leader, whose limits they share.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Numbers {
-    Sliding {
-        leader: usize,
-        sliding: u32,
-        limits: [u32; 2],
-        normal: Option<u32>,
-        shares: Option<[u32; 2]>,
-    },
-    Gap {
-        gap: u32,
-        force: u32,
-        share: Option<u32>,
-    },
-    /// The gap is that of the contact that it follows.
-    Rough {
-        gap: u32,
-        share: Option<u32>,
-    },
-}
-
-impl Numbers {
-    /// The guard that selects the equation.
-    pub(super) fn switch(self) -> usize {
-        match self {
-            Numbers::Sliding { sliding, .. } => sliding as usize,
-            Numbers::Gap { gap, .. } | Numbers::Rough { gap, .. } => gap as usize,
-        }
-    }
 }
 
 impl Arrangement {

@@ -1,7 +1,9 @@
 //! Equations of motion into the tapes of a [`Program`].
 
-use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
+use super::connections::{Arrangement, Connected, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
+use super::inputs::{over_accelerations, over_reactions, over_states, parameters_only, state_symbols};
+use super::numbers::Numbers;
 use super::steps::steps;
 use crate::fault::POSITION;
 use crate::passes::select;
@@ -119,36 +121,6 @@ fn check(equations: &Equations) -> Result<(), Fault> {
         return Ok(());
     }
     Err(Fault::about("P012", format!("n = {n}, M {} x {}, h {}", sizes[0], sizes[1], sizes[2])))
-}
-
-/// q, q', s.
-fn state_symbols(equations: &Equations) -> Vec<SymbolId> {
-    let coordinates = || equations.coordinates.iter();
-    let q = coordinates().map(|c| c.symbols[0]);
-    q.chain(coordinates().map(|c| c.symbols[1])).chain(equations.auxiliaries.iter().map(|a| a.symbol)).collect()
-}
-
-fn parameters_only(equations: &Equations) -> Inputs {
-    Inputs {
-        parameters: equations.parameters.iter().map(|p| p.symbol).collect(),
-        definitions: equations.definitions.iter().map(|d| (d.symbol, d.formula)).collect(),
-        ..Inputs::default()
-    }
-}
-
-pub(super) fn over_states(equations: &Equations) -> Inputs {
-    Inputs { time: Some(equations.time), states: state_symbols(equations), ..parameters_only(equations) }
-}
-
-fn over_accelerations(equations: &Equations) -> Inputs {
-    Inputs { accelerations: equations.coordinates.iter().map(|c| c.symbols[2]).collect(), ..over_states(equations) }
-}
-
-/// q'' and reactions.
-pub(super) fn over_reactions(equations: &Equations) -> Inputs {
-    let mut inputs = over_accelerations(equations);
-    inputs.accelerations.extend(equations.reactions.iter().map(|r| r.symbol));
-    inputs
 }
 
 /// Gap and restitutions, normal and tangential.

@@ -1,7 +1,7 @@
 //! Any expressions into a tape, by an iterative walk: the depth of the graph is bounded by memory, not by the stack.
 
-use super::connections::Numbers;
 use super::forms::Value;
+use super::numbers::Numbers;
 use crate::builder::Builder;
 use crate::verify::verified;
 use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Spare, Tape, Unary};

@@ -16,23 +16,12 @@
 
 use super::connections::Connected;
 use super::forms::Value;
+use super::numbers::Journal;
 use crate::{By, Fault, Register};
 use symbolic::connections::{Friction, Normal};
 
 /// Steps of Newton's method: the error of the first is of the order of c², and each squares it, in every coefficient of the series.
 const STEPS: usize = 8;
-
-/// A friction with two components.
-pub(super) struct Journal<'e> {
-    /// Its row in the system.
-    pub row: usize,
-    pub law: &'e Friction,
-    /// Guard of the sliding speed, and that of its own.
-    pub sliding: u32,
-    pub unique: u32,
-    /// c: negative in the mode `Negative`, zero while it sticks and in the mode `Negative` of `unique`.
-    pub coefficient: Value,
-}
 
 type Pair = [Value; 2];
 

@@ -1,7 +1,8 @@
 //! The conditions of connections with further driven coordinates, as one tape: what a linkage is followed by.
 
-use super::equations::{over_states, sparse};
+use super::equations::sparse;
 use super::expressions::{Lowering, Switches};
+use super::inputs::over_states;
 use crate::program::consecutive;
 use crate::{Fault, Tape};
 use std::ops::Range;

@@ -4,8 +4,10 @@ mod connections;
 mod equations;
 mod expressions;
 mod forms;
+mod inputs;
 mod journals;
 mod linkage;
+mod numbers;
 mod steps;
 mod touches;
 

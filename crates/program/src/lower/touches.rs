@@ -3,8 +3,8 @@
 //! Nothing here goes by the mode of the contact or friction that it describes: both magnitudes of a friction are given, for either way of sliding, and sizes
 //! are sums of squares, as an absolute value would go by that mode.
 
-use super::equations::over_reactions;
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
+use super::inputs::over_reactions;
 use crate::{Fault, Tape, TouchRoots};
 use symbolic::connections::{Condition, Friction, Law, Normal};
 use symbolic::{Equations, Expr, Graph};

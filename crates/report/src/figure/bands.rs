@@ -1,8 +1,9 @@
 //! Bands: what each contact and friction did over time, one strip each, as a static picture. Colours say the state, a black tick an impact.
 
 use super::Title;
-use super::layout::{LEGEND_ROW, TEXT, text_width};
+use super::layout::{LEGEND_ROW, TEXT};
 use super::ticks;
+use super::width::text_width;
 use crate::escape::markup;
 use crate::rich::Rich;
 use crate::unit::Scale;

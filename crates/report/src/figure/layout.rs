@@ -1,6 +1,7 @@
 //! Where everything of a static figure stands: ranges, scales, margins. Pixels grow to the right and down.
 
 use super::ticks::{self, Tick};
+use super::width::text_width;
 use super::{Axis, Figure, Kind, Mark, Title};
 use words::Language;
 
@@ -181,18 +182,4 @@ fn legend_entries(figure: &Figure, left: f64, width: f64, language: Language) ->
 pub fn legend_text(series: &super::Series, language: Language) -> String {
     let symbol = crate::symbol::plain(&series.name, language);
     if series.label.is_empty() { symbol } else { format!("{symbol} – {}", series.label) }
-}
-
-/// Upper estimate of the width of a text in DejaVu Sans, the widest of the usual sans-serif fonts.
-pub fn text_width(text: &str, size: f64) -> f64 {
-    let em = |c: char| match c {
-        'i' | 'l' | 'j' | '.' | ',' | '\'' | '′' | ' ' | '\u{a0}' | 'I' | ':' | '|' => 0.34,
-        '\u{202f}' => 0.2,
-        '0'..='9' => 0.64,
-        '⁰'..='⁹' | '₀'..='₉' | '¹' | '²' | '³' | '⁻' => 0.44,
-        'm' | 'w' | 'M' | 'W' | 'ж' | 'ш' | 'щ' | 'ю' | 'ы' | 'Ж' | 'Ш' | 'Щ' | 'Ю' | 'Ы' | '−' => 0.92,
-        c if c.is_uppercase() => 0.78,
-        _ => 0.66,
-    };
-    text.chars().map(em).sum::<f64>() * size
 }

@@ -7,11 +7,14 @@
 pub mod bands;
 pub mod decimate;
 mod layout;
-pub(crate) use layout::text_width;
 mod log_axis;
 pub mod png;
+mod series;
 pub mod svg;
 pub mod ticks;
+pub(crate) mod width;
+
+pub use series::{Mark, Pen, Series};
 
 use crate::rich::{Inline, Rich};
 use crate::symbol;
@@ -86,59 +89,6 @@ pub struct Axis {
     pub scale: Scale,
     /// Logarithmic.
     pub log: bool,
-}
-
-/// A curve. NaN breaks the line.
-#[derive(Clone, Debug)]
-pub struct Series {
-    /// Name of the model, shown as a symbol.
-    pub name: String,
-    /// What it is, in words; empty for none.
-    pub label: String,
-    /// Abscissas, SI.
-    pub x: Vec<f64>,
-    /// Ordinates, SI, as many.
-    pub y: Vec<f64>,
-    /// How its points are joined.
-    pub pen: Pen,
-}
-
-/// How the points of a curve are joined.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Pen {
-    /// By a line.
-    #[default]
-    Line,
-    /// Not at all: each is a dot.
-    Dots,
-}
-
-/// A line or point that is pointed out.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Mark {
-    /// Vertical line.
-    Vertical {
-        /// Abscissa, SI.
-        x: f64,
-        /// Words beside it.
-        label: String,
-    },
-    /// Horizontal line.
-    Horizontal {
-        /// Ordinate, SI.
-        y: f64,
-        /// Words beside it.
-        label: String,
-    },
-    /// Point.
-    Point {
-        /// Abscissa, SI.
-        x: f64,
-        /// Ordinate, SI.
-        y: f64,
-        /// Words beside it.
-        label: String,
-    },
 }
 
 /// Something on the event strip: an instant (`to` equals `from`) or an interval, which is also shaded behind the curves.

@@ -3,7 +3,8 @@
 //! Own writer instead of a plotting library: the library tried (kuva 0.6) has no event strip, no slanted symbols in axis labels, loses
 //! dash patterns in PNG and uses one clip name for all pictures, which breaks several pictures on one page.
 
-use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
+use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay};
+use super::width::text_width;
 use super::{Axis, Figure, Kind, Mark, Pen, Title, decimate, style};
 use crate::escape::markup;
 use crate::rich::Inline;

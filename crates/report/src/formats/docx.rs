@@ -21,10 +21,6 @@ pub const FORMAT: Format = Format {
     holds: Holds::Page(Page { write, pictures: Pictures::Packed(Package { drawing: RASTER, pack: package::pack }) }),
 };
 
-/// Width between the margins of a page A4, EMU: 210 − 30 − 15 mm.
-const WIDTH: u64 = 165 * 36_000;
-/// Greatest height of a picture, EMU.
-const HEIGHT: u64 = 170 * 36_000;
 /// Twentieths of a point between the margins.
 const TWIPS: u64 = 9354;
 /// The same for the number of a formula.

@@ -1,8 +1,8 @@
 //! LaTeX for math mode with amsmath.
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Relation, Row, Shape, Sign};
-use super::lines::{Lines, Piece};
 use super::names::is_greek;
+use super::pieces::{Lines, Piece};
 
 /// The whole formula; several lines become an `aligned` block.
 pub(super) fn lines(lines: &Lines) -> String {

@@ -4,7 +4,7 @@
 //! Nothing relies on `mathvariant` but its value `normal`, the only one browsers honour.
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Placement, Row, Shape, Sign};
-use super::lines::{Joint, Lines, Piece};
+use super::pieces::{Joint, Lines, Piece};
 
 /// Space around a named function, as TeX sets it.
 const THIN: &str = "<mspace width=\"0.167em\"/>";

@@ -1,7 +1,7 @@
 //! How wide a formula becomes when it is set (MathML, LaTeX): an estimate from above, good enough to choose where to break it.
 
 use super::layout::{Bare, Identifier, Layout};
-use super::lines::{Joint, Piece};
+use super::pieces::{Joint, Piece};
 
 /// Em of one character of the text form, the unit in which callers state the width of a line.
 const CHARACTER: f64 = 0.45;

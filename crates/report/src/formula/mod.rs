@@ -20,6 +20,8 @@ mod names;
 mod numeral;
 mod omml;
 mod order;
+mod pieces;
+mod printed;
 mod printer;
 mod product;
 mod set;

@@ -1,7 +1,7 @@
 //! Plain Unicode text: `m l² φ'' + m g l sin φ = 0`. Time derivatives are primes, fractions are slashes.
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Row, Sign};
-use super::lines::{Joint, Lines, Piece};
+use super::pieces::{Joint, Lines, Piece};
 
 /// Start of a continuation line.
 pub(super) const INDENT: &str = "    ";

@@ -2,8 +2,8 @@
 //! are strings, since a bare comma parts the arguments of a function.
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Relation, Row, Shape, Sign};
-use super::lines::{Lines, Piece};
 use super::names::is_greek;
+use super::pieces::{Lines, Piece};
 
 /// The whole formula; several lines are aligned at the relation of the first, or at the left.
 pub(super) fn lines(lines: &Lines) -> String {

@@ -2,12 +2,14 @@
 //! keeps away from the strokes and from the labels before it.
 
 use super::ink::{P, polar};
-use super::svg::TEXT;
 use super::{Label, LabelText};
-use crate::figure::text_width;
+use crate::figure::width::text_width;
 use crate::symbol;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use words::Language;
+
+/// Size of letters.
+pub(super) const TEXT: f64 = 14.0;
 
 /// A label with its place.
 pub(super) struct Set<'a> {

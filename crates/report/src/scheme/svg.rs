@@ -1,7 +1,7 @@
 //! A scheme as SVG: black lines of three weights on nothing, so that pages in the dark may colour it; printed as it is.
 
 use super::ink::{Fill, Ink, P, Shape, Stroke, Weight, polar};
-use super::labels::{Set, placed};
+use super::labels::{Set, TEXT, placed};
 use super::{Item, LabelText, Scheme};
 use crate::escape::markup;
 use crate::symbol;
@@ -10,12 +10,16 @@ use words::Language;
 
 /// Room around the drawing.
 const MARGIN: f64 = 10.0;
-/// Size of letters.
-pub(super) const TEXT: f64 = 14.0;
 const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
 
-/// The scheme as an SVG document.
-pub fn write(scheme: &Scheme, language: Language) -> String {
+impl Scheme {
+    /// The picture as an SVG document.
+    pub fn svg(&self, language: Language) -> String {
+        write(self, language)
+    }
+}
+
+fn write(scheme: &Scheme, language: Language) -> String {
     let drawn = Drawn::new(scheme, language);
     let mut out = head(scheme, bounds(&drawn.points(), &drawn.labels), language);
     for (item, ink) in scheme.items.iter().zip(&drawn.inks) {

@@ -1,6 +1,6 @@
 //! One command with one mutant.
 
-use crate::mutate::Dice;
+use super::mutate::Dice;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};

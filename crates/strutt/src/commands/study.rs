@@ -1,9 +1,9 @@
 //! `strutt NAME FILE` of any study of the table: its keys from the command line over those of the file, its run, and showing what it found.
 
-use super::line::Line;
 use super::{Exit, judge};
 use crate::args;
 use crate::console::{Console, end_on_interrupts, listen_to_interrupts, quoted};
+use crate::line::Line;
 use clap::{ArgMatches, FromArgMatches};
 use mechanics::asked::Asked;
 use mechanics::derive::Detail;

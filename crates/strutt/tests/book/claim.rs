@@ -157,97 +157,140 @@ pub enum Claim {
 
 /// Reads a claim.
 pub fn parse(line: &str) -> Result<Claim, String> {
-    let unknown = || format!("not a claim: {line}");
     let word = |i: usize| line.split_whitespace().nth(i).unwrap_or_default();
-    match word(0) {
-        "max" => {
-            let (left, right) = line.split_once('<').ok_or_else(unknown)?;
-            let name = left.split('|').nth(1).ok_or_else(unknown)?.trim().to_owned();
-            Ok(Claim::Bounded { name, limit: number(right)? })
-        }
-        "event" if word(2) == "says:" => {
-            let (_, text) = line.split_once("says:").ok_or_else(unknown)?;
-            Ok(Claim::Says { event: integer(word(1))?, text: text.trim().to_owned() })
-        }
-        "event" => {
-            let (left, right) = line.split_once('±').ok_or_else(unknown)?;
-            let at = left.split_whitespace().nth(3).ok_or_else(unknown)?;
-            Ok(Claim::Event { number: integer(word(1))?, at: number(at)?, tolerance: number(right)? })
-        }
-        "impulse" => impulse(line).ok_or_else(unknown)?,
-        "no" if word(1) == "value" => {
-            let whole = line["no value".len()..].trim();
-            let split = whole.strip_suffix(')').and_then(|n| n.rsplit_once('('));
-            // `force(R)` is a name
-            let timed = split.and_then(|(name, at)| Some((name, number(at).ok()?)));
-            Ok(timed.map_or(Claim::Open(whole.to_owned()), |(name, at)| Claim::NoValue { name: name.to_owned(), at }))
-        }
-        "no" if word(1) == "impulse" => {
-            let (name, event) = line["no impulse".len()..].split_once(" at event ").ok_or_else(unknown)?;
-            Ok(Claim::OpenImpulse { name: name.trim().to_owned(), event: integer(event.trim())? })
-        }
-        "note" => Ok(Claim::Note(line["note".len()..].trim().to_owned())),
-        "no" if word(1) == "note" => Ok(Claim::NoNote(line["no note".len()..].trim().to_owned())),
-        "help" => {
-            let (code, text) = line["help".len()..].split_once(':').ok_or_else(unknown)?;
-            Ok(Claim::Help { code: code.trim().to_owned(), text: text.trim().to_owned() })
-        }
-        "warnings" => Ok(Claim::Warnings(integer(word(1))?)),
-        "events" => Ok(Claim::Events(integer(word(1))?)),
-        "audits" => Ok(Claim::AuditsOk),
-        "audit" if word(1) == "fails" => Ok(Claim::AuditFails(word(2).to_owned())),
-        "least" | "greatest" => extreme(line).ok_or_else(unknown)?,
-        "audit" => {
-            let name = line.split('"').nth(1).ok_or_else(unknown)?.to_owned();
-            let limit = line.split_once('<').ok_or_else(unknown)?.1;
-            Ok(Claim::Audit { name, limit: number(limit)? })
-        }
-        "equation" => {
-            let (number, text) = line["equation".len()..].split_once(':').ok_or_else(unknown)?;
-            Ok(Claim::Equation { number: integer(number.trim())?, text: text.trim().to_owned() })
-        }
-        kind @ ("kinetic:" | "potential:" | "dissipation:") => {
-            let kinds = ["kinetic:", "potential:", "dissipation:"];
-            let known = kinds.into_iter().find(|k| *k == kind).ok_or_else(unknown)?;
-            Ok(Claim::Energy { kind: known, text: line[kind.len()..].trim().to_owned() })
-        }
-        "inertia" => {
-            let (name, expected, tolerance) = equality(&line["inertia of".len()..]).ok_or_else(unknown)??;
-            Ok(Claim::Inertia { name, expected, tolerance })
-        }
-        kind @ ("error" | "warning") => {
-            let rest: Vec<&str> = line.split_whitespace().skip(1).collect();
-            let only = rest.first() == Some(&"only");
-            let (code, line) = match if only { &rest[1..] } else { &rest[..] } {
-                [code] => ((*code).to_owned(), None),
-                [code, "line", n] => ((*code).to_owned(), Some(integer(n)?)),
-                _ => return Err(unknown()),
-            };
-            Ok(if kind == "error" { Claim::Error { code, line, only } } else { Claim::Warning { code, line } })
-        }
-        "field" => {
-            let (path, text) = line["field".len()..].split_once(':').ok_or_else(unknown)?;
-            Ok(Claim::Field { path: path.trim().to_owned(), text: text.trim().to_owned() })
-        }
-        "phase" => phase(line).ok_or_else(unknown)?,
-        "mean" if word(1) == "of" => mean(line).ok_or_else(unknown)?,
-        "mean" => mean_rate(line).ok_or_else(unknown)?,
-        "fails" => {
-            let rest = line["fails".len()..].trim();
-            let (code, text) = rest.split_once(':').unwrap_or((rest, ""));
-            Ok(Claim::Fails { code: code.trim().to_owned(), text: text.trim().to_owned() })
-        }
-        _ if line.contains(" constant ") => {
-            let (name, rest) = line.split_once(" constant ").ok_or_else(unknown)?;
-            let tolerance = tolerance(rest.trim().strip_prefix('±').ok_or_else(unknown)?)?;
-            Ok(Claim::Constant { name: name.trim().to_owned(), tolerance })
-        }
-        _ => value(line).ok_or_else(unknown)?,
-    }
+    let rest = |head: &str| line[head.len()..].trim();
+    let found = match (word(0), word(1)) {
+        ("max", _) => bounded(line),
+        ("event", number) if word(2) == "says:" => says(line, number),
+        ("event", number) => event(line, number),
+        ("impulse", _) => impulse(line),
+        ("no", "value") => Some(Ok(absent(rest("no value")))),
+        ("no", "impulse") => open_impulse(rest("no impulse")),
+        ("no", "note") => Some(Ok(Claim::NoNote(rest("no note").to_owned()))),
+        ("note", _) => Some(Ok(Claim::Note(rest("note").to_owned()))),
+        ("help", _) => help(rest("help")),
+        ("warnings", count) => Some(integer(count).map(Claim::Warnings)),
+        ("events", count) => Some(integer(count).map(Claim::Events)),
+        ("audits", _) => Some(Ok(Claim::AuditsOk)),
+        ("audit", "fails") => Some(Ok(Claim::AuditFails(word(2).to_owned()))),
+        ("audit", _) => audit(line),
+        ("least" | "greatest", _) => extreme(line),
+        ("equation", _) => equation(rest("equation")),
+        ("kinetic:" | "potential:" | "dissipation:", _) => energy(line),
+        ("inertia", _) => inertia(rest("inertia of")),
+        ("error" | "warning", _) => finding(line),
+        ("field", _) => field(rest("field")),
+        ("phase", _) => phase(line),
+        ("mean", "of") => mean(line),
+        ("mean", _) => mean_rate(line),
+        ("fails", _) => Some(Ok(fails(rest("fails")))),
+        _ if line.contains(" constant ") => constant(line),
+        _ => value(line),
+    };
+    found.ok_or_else(|| format!("not a claim: {line}"))?
+}
+
+/// A claim, or what is wrong with its numbers; none where the words are no claim.
+type Read = Option<Result<Claim, String>>;
+
+/// `max |NAME| < LIMIT`.
+fn bounded(line: &str) -> Read {
+    let (left, right) = line.split_once('<')?;
+    let name = left.split('|').nth(1)?.trim().to_owned();
+    Some(number(right).map(|limit| Claim::Bounded { name, limit }))
+}
+
+/// `event N at T ± TOL`.
+fn event(line: &str, which: &str) -> Read {
+    let (left, right) = line.split_once('±')?;
+    let at = left.split_whitespace().nth(3)?;
+    let claim = || Ok(Claim::Event { number: integer(which)?, at: number(at)?, tolerance: number(right)? });
+    Some(claim())
+}
+
+/// `event N says: TEXT`.
+fn says(line: &str, which: &str) -> Read {
+    let (_, text) = line.split_once("says:")?;
+    Some(integer(which).map(|event| Claim::Says { event, text: text.trim().to_owned() }))
+}
+
+/// `no value NAME` or `no value NAME(T)`.
+fn absent(whole: &str) -> Claim {
+    let split = whole.strip_suffix(')').and_then(|n| n.rsplit_once('('));
+    // `force(R)` is a name
+    let timed = split.and_then(|(name, at)| Some((name, number(at).ok()?)));
+    timed.map_or(Claim::Open(whole.to_owned()), |(name, at)| Claim::NoValue { name: name.to_owned(), at })
+}
+
+/// `no impulse NAME at event N`.
+fn open_impulse(rest: &str) -> Read {
+    let (name, event) = rest.split_once(" at event ")?;
+    Some(integer(event.trim()).map(|event| Claim::OpenImpulse { name: name.trim().to_owned(), event }))
+}
+
+/// `help CODE: TEXT`.
+fn help(rest: &str) -> Read {
+    let (code, text) = rest.split_once(':')?;
+    Some(Ok(Claim::Help { code: code.trim().to_owned(), text: text.trim().to_owned() }))
+}
+
+/// `audit "NAME" < LIMIT`.
+fn audit(line: &str) -> Read {
+    let name = line.split('"').nth(1)?.to_owned();
+    Some(number(line.split_once('<')?.1).map(|limit| Claim::Audit { name, limit }))
+}
+
+/// `equation N: TEXT`.
+fn equation(rest: &str) -> Read {
+    let (which, text) = rest.split_once(':')?;
+    Some(integer(which.trim()).map(|number| Claim::Equation { number, text: text.trim().to_owned() }))
+}
+
+/// `kinetic: TEXT`, `potential: TEXT`, `dissipation: TEXT`.
+fn energy(line: &str) -> Read {
+    let kind = ["kinetic:", "potential:", "dissipation:"].into_iter().find(|kind| line.starts_with(kind))?;
+    Some(Ok(Claim::Energy { kind, text: line[kind.len()..].trim().to_owned() }))
+}
+
+/// `inertia of NAME = V ± TOL [rel]`.
+fn inertia(rest: &str) -> Read {
+    Some(equality(rest)?.map(|(name, expected, tolerance)| Claim::Inertia { name, expected, tolerance }))
+}
+
+/// `error [only] CODE [line N]`, `warning CODE [line N]`.
+fn finding(line: &str) -> Read {
+    let rest: Vec<&str> = line.split_whitespace().skip(1).collect();
+    let only = rest.first() == Some(&"only");
+    let (code, at) = match if only { &rest[1..] } else { &rest[..] } {
+        [code] => ((*code).to_owned(), Ok(None)),
+        [code, "line", n] => ((*code).to_owned(), integer(n).map(Some)),
+        _ => return None,
+    };
+    let is_error = line.starts_with("error");
+    Some(at.map(|line| if is_error { Claim::Error { code, line, only } } else { Claim::Warning { code, line } }))
+}
+
+/// `field PATH: TEXT`.
+fn field(rest: &str) -> Read {
+    let (path, text) = rest.split_once(':')?;
+    Some(Ok(Claim::Field { path: path.trim().to_owned(), text: text.trim().to_owned() }))
+}
+
+/// `fails CODE[: TEXT]`.
+fn fails(rest: &str) -> Claim {
+    let (code, text) = rest.split_once(':').unwrap_or((rest, ""));
+    Claim::Fails { code: code.trim().to_owned(), text: text.trim().to_owned() }
+}
+
+/// `NAME constant ± TOL [rel]`.
+fn constant(line: &str) -> Read {
+    let (name, rest) = line.split_once(" constant ")?;
+    let limit = tolerance(rest.trim().strip_prefix('±')?);
+    Some(limit.map(|tolerance| Claim::Constant { name: name.trim().to_owned(), tolerance }))
 }
 
 /// `NAME(T) = V ± TOL [rel]` or `NAME = V ± TOL [rel]`.
-fn value(line: &str) -> Option<Result<Claim, String>> {
+fn value(line: &str) -> Read {
     let (name, expected, tolerance) = match equality(line)? {
         Ok(parts) => parts,
         Err(e) => return Some(Err(e)),
@@ -267,7 +310,7 @@ fn value(line: &str) -> Option<Result<Claim, String>> {
 }
 
 /// `impulse of NAME at event N = V ± TOL [rel]`.
-fn impulse(line: &str) -> Option<Result<Claim, String>> {
+fn impulse(line: &str) -> Read {
     let (words, expected, tolerance) = match equality(line.strip_prefix("impulse of ")?)? {
         Ok(parts) => parts,
         Err(e) => return Some(Err(e)),
@@ -277,7 +320,7 @@ fn impulse(line: &str) -> Option<Result<Claim, String>> {
 }
 
 /// `least NAME = V ± TOL [rel]` or `least NAME at T ± TOL`; `greatest` likewise.
-fn extreme(line: &str) -> Option<Result<Claim, String>> {
+fn extreme(line: &str) -> Read {
     let (word, rest) = line.split_once(' ')?;
     let least = word == "least";
     let (timed, written) = match rest.split_once(" at ") {
@@ -294,7 +337,7 @@ fn extreme(line: &str) -> Option<Result<Claim, String>> {
 }
 
 /// `mean of NAME = V ± TOL [rel]`.
-fn mean(line: &str) -> Option<Result<Claim, String>> {
+fn mean(line: &str) -> Read {
     let (left, expected, tolerance) = match equality(line)? {
         Ok(parts) => parts,
         Err(e) => return Some(Err(e)),
@@ -304,7 +347,7 @@ fn mean(line: &str) -> Option<Result<Claim, String>> {
 }
 
 /// `mean rate of NAME from A to B = V ± TOL [rel]`.
-fn mean_rate(line: &str) -> Option<Result<Claim, String>> {
+fn mean_rate(line: &str) -> Read {
     let (left, expected, tolerance) = match equality(line)? {
         Ok(parts) => parts,
         Err(e) => return Some(Err(e)),
@@ -316,7 +359,7 @@ fn mean_rate(line: &str) -> Option<Result<Claim, String>> {
 }
 
 /// `phase N case NAME` or `phase N KEY = V ± TOL [rel]`.
-fn phase(line: &str) -> Option<Result<Claim, String>> {
+fn phase(line: &str) -> Read {
     let words: Vec<&str> = line.split_whitespace().collect();
     if let ["phase", n, "case", case] = words[..] {
         return Some(integer(n).map(|phase| Claim::PhaseCase { phase, case: case.to_owned() }));

@@ -2,6 +2,10 @@
 
 mod chapter;
 mod claim;
+mod command;
+mod motion;
+mod outcome;
+mod printed;
 mod run;
 
 use libtest_mimic::{Arguments, Trial};

@@ -10,8 +10,11 @@ mod laid;
 mod show;
 mod terms;
 mod values;
+mod verdict;
 
 use show::{Verdicts, to_json};
+
+pub use verdict::Verdict;
 
 use crate::machine::Machine;
 use crate::provenance;
@@ -22,27 +25,6 @@ use analysis::{Dataset, Fault, Quantity, dataset::Column};
 use mechanics::model::ClaimKind;
 use std::sync::Arc;
 use words::Text;
-
-/// What came of a claim.
-#[derive(Clone, Debug, Default)]
-pub struct Verdict {
-    /// Its name.
-    pub name: String,
-    /// Where it is published; may be empty.
-    pub source: Text,
-    /// SI unit of both values.
-    pub unit: String,
-    /// What strutt finds; for equations and formulas at the state where they differ most.
-    pub value: f64,
-    /// What is published, at the same place.
-    pub published: f64,
-    /// Relative difference.
-    pub deviation: f64,
-    /// Whether it holds.
-    pub ok: bool,
-    /// What differs, in words and formulas; may be empty.
-    pub words: Text,
-}
 
 /// Lays every claim of the file against the machine; none when the file has none.
 pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Results> {

@@ -1,6 +1,6 @@
 //! The table of claims, and their JSON.
 
-use super::Verdict;
+use super::verdict::Verdict;
 use crate::results::{Results, Show, View, events};
 use report::table::Column;
 use report::{Block, Cell, Table};

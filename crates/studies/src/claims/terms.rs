@@ -1,7 +1,7 @@
 //! Equations and formulas at random states, and the words for the term that differs.
 
-use super::Verdict;
 use super::laid::{Laid, Terms, output_name};
+use super::verdict::Verdict;
 use crate::machine::Machine;
 use analysis::System;
 use analysis::studies::claims::{Draw, Fit, Places, Sum, fit, samples};

@@ -1,7 +1,7 @@
 //! Values of the motion, of the equilibrium and of modes.
 
-use super::Verdict;
 use super::laid::{Laid, output_name};
+use super::verdict::Verdict;
 use crate::equilibrium::Between;
 use crate::machine::Machine;
 use crate::machine::study::of_file;

@@ -1,8 +1,7 @@
 //! What a machine was made from, and the same machine with other values: bound to them where only numbers change, read again where more does.
 
-use super::Machine;
 use super::build::{build, numbered};
-use super::study::Studies;
+use super::built::Machine;
 use crate::failure::Failure;
 use crate::guards;
 use crate::source::Source;
@@ -11,16 +10,7 @@ use mechanics::derive::Detail;
 use mechanics::model::{Change, unmoved};
 use words::Notice;
 
-/// File and overrides of a machine.
-#[derive(Clone, Debug)]
-pub struct Origin {
-    /// The file.
-    pub source: Source,
-    /// Values set from outside.
-    pub overrides: Vec<(String, String)>,
-    /// The studies that it may ask for.
-    pub studies: &'static Studies,
-}
+pub use super::built::Origin;
 
 /// How a machine got its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

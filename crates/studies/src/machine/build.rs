@@ -1,8 +1,8 @@
 //! From a file to a machine, step by step; every step makes something new out of what came before, and nothing is changed afterwards.
 
-use super::bind::Origin;
+use super::built::{Machine, Origin, lower};
 use super::study::Studies;
-use super::{Machine, lower, unknowns};
+use super::unknowns;
 use crate::answers::meaning;
 use crate::failure::Failure;
 use crate::frame;

@@ -2,71 +2,9 @@
 
 pub mod bind;
 pub mod build;
+mod built;
 pub mod study;
 pub mod unknowns;
 
 pub use build::build;
-
-use crate::guards;
-use crate::provenance;
-use analysis::Dataset;
-use bind::Origin;
-use mechanics::Model;
-use report::formula::{Form, Printer};
-use symbolic::Equations;
-use words::{Language, Notice};
-
-/// A machine ready for studies.
-#[derive(Clone, Debug)]
-pub struct Machine {
-    /// What the file says.
-    pub model: Model,
-    /// Findings that do not prevent its use.
-    pub warnings: Vec<Notice>,
-    /// Equations of motion.
-    pub equations: Equations,
-    /// The same as a program with numbers.
-    pub system: analysis::Machine,
-    /// Hash of the file and the overrides.
-    pub model_hash: String,
-    /// What it was made from.
-    pub origin: Origin,
-}
-
-impl Machine {
-    /// Names of the states: coordinates, rates, auxiliary states.
-    pub fn system_states(&self) -> Vec<String> {
-        use analysis::System;
-        self.system.states().iter().map(|q| q.name.clone()).collect()
-    }
-}
-
-/// From equations to a program with numbers.
-///
-/// # Errors
-/// A formula that has no value for the parameters as given.
-pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault> {
-    let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
-    analysis::Machine::assembled(equations, &values, &|program| guards::names(equations, program))
-}
-
-/// A fault with the expression that failed in the user's symbols.
-pub fn explained(fault: analysis::Fault, equations: &Equations) -> Notice {
-    let expression = fault.expression();
-    let mut trouble = Notice::from(fault);
-    // small motions have a graph of their own: an expression of theirs is not one of these
-    if let Some(e) = expression.filter(|e| e.index() < equations.graph.len()) {
-        let what = &mut trouble.what;
-        for (words, language) in [(&mut what.en, Language::En), (&mut what.ru, Language::Ru)] {
-            let printer = Printer::of(equations, language);
-            words.push_str(": ");
-            words.push_str(&printer.inline(&equations.graph, e, Form::Text));
-        }
-    }
-    trouble
-}
-
-/// The result of a study that computes no numbers: provenance and checks only.
-pub fn no_numbers(machine: &Machine) -> Dataset {
-    provenance::stamp(Dataset::default(), &machine.equations, &machine.model_hash)
-}
+pub use built::{Machine, explained, lower, no_numbers};

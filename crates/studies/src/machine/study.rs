@@ -1,6 +1,6 @@
 //! What a study is: its keys, its run, what becomes of it on the command line; and the table of all studies that a machine was read with.
 
-use super::Machine;
+use super::built::Machine;
 use crate::failure::{Failure, Misuse};
 use crate::results::Results;
 use crate::watch::Watch;

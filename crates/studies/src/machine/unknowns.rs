@@ -17,7 +17,7 @@ pub fn solve(model: &mechanics::Model, equations: &mut symbolic::Equations) -> R
     if wanted.is_empty() {
         return Ok(());
     }
-    if !analysis::rest::report::is_free(equations) || equations.coordinates.is_empty() {
+    if !analysis::studies::rest::report::is_free(equations) || equations.coordinates.is_empty() {
         return solve_connected(model, equations, &wanted);
     }
     let mut machine = LinearMachine::new(&Arc::new(equations.clone()), About::Rest)?;

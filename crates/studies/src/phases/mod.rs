@@ -1,9 +1,13 @@
 //! The phases of a closed-form motion: as JSON here, as a written solution in [`steps`].
 
+mod found;
 mod principal;
 mod setting;
 pub mod steps;
 mod tables;
+mod writer;
+
+pub use found::Phases;
 
 use crate::results::{Results, Show, View};
 use algebra::complex;
@@ -12,24 +16,6 @@ use analysis::studies::transient::constants::{Clock, Listed};
 use analysis::studies::transient::load::Term;
 use report::Block;
 use serde_json::{Map, Value, json};
-
-/// Phases of a motion, and the names of its state.
-#[derive(Clone, Debug)]
-pub struct Phases {
-    /// In order of time.
-    pub list: Vec<Phase>,
-    /// Coordinates, then rates.
-    pub names: Vec<String>,
-    /// Instants at which the loads begin anew.
-    pub restarts: Vec<f64>,
-}
-
-impl Phases {
-    /// Whether the loads begin anew at the start of a phase.
-    pub fn restarts(&self, phase: &Phase) -> bool {
-        self.restarts.iter().any(|t| (t - phase.start).abs() <= 1e-12 * t.abs())
-    }
-}
 
 impl Show for Phases {
     /// The written solution phase by phase.

@@ -6,8 +6,8 @@
 //! ```
 
 use super::setting::{Setting, fence, plus, product, square, whole};
-use super::steps::Writer;
 use super::tables::{harmonic_table, mode_table};
+use super::writer::Writer;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::Listed;
 use report::Block;

@@ -28,6 +28,7 @@ mod pulls;
 mod shafts;
 mod signs;
 mod sketch;
+mod sketched;
 mod stage;
 mod structure;
 mod ties;

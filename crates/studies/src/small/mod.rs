@@ -14,13 +14,13 @@ mod strands;
 use crate::machine::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
-use analysis::rest::branch::{Beyond, Branch};
 use analysis::rest::closed_contacts;
-use analysis::rest::contacts::Contacts;
 use analysis::rest::mean::Resting;
-use analysis::rest::stability::with_closed;
 use analysis::studies::equilibrium::Equilibrium;
 use analysis::studies::modes::{self as natural, Normalisation};
+use analysis::studies::rest::branch::{Beyond, Branch};
+use analysis::studies::rest::contacts::Contacts;
+use analysis::studies::rest::stability::with_closed;
 use analysis::{Dataset, Fault, Quantity, System};
 use std::sync::Arc;
 use symbolic::SymbolId;
@@ -52,7 +52,7 @@ impl Small {
 /// # Errors
 /// No equilibrium is found, or formulas have no value there.
 pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Fault> {
-    if !analysis::rest::report::is_free(&machine.equations) {
+    if !analysis::studies::rest::report::is_free(&machine.equations) {
         return connected(machine, guess);
     }
     let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
@@ -162,7 +162,7 @@ fn rest(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Result<Place, Fault>
 
 /// Where Newton's method finds nothing: the stable place to which the machine falls from where it is sought.
 fn fallen(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Option<Place> {
-    let place = starts.iter().find_map(|start| analysis::rest::fall::fall(linear, start).and_then(|q| linear.settle(&q).ok()))?;
+    let place = starts.iter().find_map(|start| analysis::studies::rest::fall::fall(linear, start).and_then(|q| linear.settle(&q).ok()))?;
     stable(linear, &place).then_some(place)
 }
 
@@ -218,7 +218,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
         let found = matrices.clone().and_then(|m| natural::modes(&m, linear.coordinates(), Normalisation::Largest));
         let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(0.0_f64, |g, m| g.max(m.root.0.hypot(m.root.1))));
         let grows = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
-        let verdict = matrices.as_ref().map_or(None, |m| analysis::rest::stability::verdict(m, grows, fastest));
+        let verdict = matrices.as_ref().map_or(None, |m| analysis::studies::rest::stability::verdict(m, grows, fastest));
         verdicts.push(verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable))));
         growth.push(found.as_ref().map_or(f64::NAN, |_| grows));
         negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));

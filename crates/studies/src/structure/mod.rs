@@ -7,6 +7,7 @@ pub mod modes;
 pub mod rayleigh;
 pub mod show;
 pub mod statics;
+mod terms;
 
 use crate::machine::Machine;
 use crate::provenance;

@@ -2,6 +2,7 @@
 
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
+use super::terms::{equation, number};
 use crate::results::View;
 use crate::small::show::plain_table;
 use analysis::studies::structure_statics::Flexibility;
@@ -9,18 +10,11 @@ use report::document::Rich;
 use report::table::Column;
 use report::{Block, Cell, Table};
 use structures::reduced::Reduced;
-use structures::truss::Term;
 use structures::{Frame, Scalar};
 use words::Language;
 
-/// Significant digits.
-const DIGITS: usize = 6;
 /// Longest fraction that a reader takes in; longer ones are shown as decimals.
 const READABLE: usize = 13;
-
-fn number(v: f64, language: Language) -> String {
-    report::number::short(v, DIGITS, language)
-}
 
 /// Everything about natural oscillations.
 pub fn modes(found: &ModesFound, view: &View) -> Vec<Block> {
@@ -286,38 +280,6 @@ fn displacements(found: &StaticsFound, language: Language) -> Table {
         table.row(vec![Cell::symbol(d.symbol.clone()), Cell::Number(number(*v, language)), Cell::words(language.text(&d.label))]);
     }
     table
-}
-
-/// `0.6 S_AB + S_AC + 3 = 0`.
-pub fn equation(terms: &[Term], language: Language) -> String {
-    let mut out = String::new();
-    for t in terms {
-        // unknown forces by name, known ones by their numbers
-        let (size, negative, name) = match t.unknown {
-            true => (t.coefficient.abs(), t.coefficient < 0.0, format!("S_{}", t.name)),
-            false => ((t.coefficient * t.force).abs(), t.coefficient * t.force < 0.0, String::new()),
-        };
-        if size == 0.0 {
-            continue;
-        }
-        out.push_str(match (out.is_empty(), negative) {
-            (true, true) => "−",
-            (true, false) => "",
-            (false, true) => " − ",
-            (false, false) => " + ",
-        });
-        let one = (size - 1.0).abs() < 1e-12 && !name.is_empty();
-        if !one {
-            out.push_str(&number(size, language));
-        }
-        if !name.is_empty() {
-            if !one {
-                out.push(' ');
-            }
-            out.push_str(&name);
-        }
-    }
-    if out.is_empty() { "0 = 0".into() } else { out + " = 0" }
 }
 
 fn joints(found: &StaticsFound, language: Language) -> Vec<Block> {

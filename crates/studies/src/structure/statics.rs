@@ -135,12 +135,12 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     if !r.joints.is_empty() {
         let joint = |j: &structures::truss::Joint| {
             let found: Map<String, Value> = j.found.iter().map(|(i, v)| (r.frame.rods[*i].name.clone(), json!(v))).collect();
-            json!({"node": r.frame.nodes[j.node].name, "equations": j.equations.iter().map(|e| super::show::equation(e, words::Language::En)).collect::<Vec<_>>(), "found": found})
+            json!({"node": r.frame.nodes[j.node].name, "equations": j.equations.iter().map(|e| super::terms::equation(e, words::Language::En)).collect::<Vec<_>>(), "found": found})
         };
         own.insert("joints".into(), r.joints.iter().map(joint).collect());
         let section = |s: &structures::truss::Section| {
             let names: Vec<&str> = s.cut.iter().map(|i| r.frame.rods[*i].name.as_str()).collect();
-            json!({"rod": names[0], "cut": names, "about": s.about, "equation": super::show::equation(&s.equation, words::Language::En), "force": s.value})
+            json!({"rod": names[0], "cut": names, "about": s.about, "equation": super::terms::equation(&s.equation, words::Language::En), "force": s.value})
         };
         own.insert("sections".into(), r.sections.iter().map(section).collect());
     }

@@ -1,9 +1,9 @@
 //! Where places of rest change between neighbouring values of a sweep: other contacts are closed, another verdict, other places.
 
-use super::{Repeated, one};
+use super::repeated::{Repeated, one};
 use crate::machine::Machine;
 use crate::watch::Watch;
-use analysis::rest::changes::written;
+use analysis::studies::rest::changes::written;
 use analysis::{Dataset, Quantity};
 use symbolic::connections::Law;
 use words::Text;

@@ -14,9 +14,8 @@
 
 use crate::integrate::taylor::Flow;
 use crate::{Blow, Fault, GuardKind, Mode, System};
-use algebra::sum::Instant;
 
-use super::modes::opposite;
+use super::happened::{Hit, Impact, opposite};
 
 /// Share of the time below which the impacts still to come are one instant.
 const REST: f64 = 4e-15;
@@ -27,24 +26,6 @@ const STOPPED: f64 = 64.0 * f64::EPSILON;
 
 /// Rounding of a gap, in units of the last place of the positions.
 const MET: f64 = 8.0 * f64::EPSILON;
-
-/// An impact at one contact.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Impact {
-    pub guard: usize,
-    /// Rates of the gap before and after.
-    pub rates: [f64; 2],
-    pub impulse: f64,
-    /// Whether it is rounding of the rates and impulses of the instant: the contact closes or stays closed, and nobody is told of an impact.
-    pub silent: bool,
-}
-
-/// The last impact at a contact.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit {
-    at: Instant,
-    rate: f64,
-}
 
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Impacts of this instant; sets the first trial of the modes of all contacts on their surfaces, and of all frictions when rates have changed. The

@@ -20,21 +20,11 @@
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
-use super::{Change, Switch, contacts};
+use super::contacts;
+use super::happened::{Change, Impact, Switch, Verdict, opposite};
 
 /// Most combinations that are tried one by one.
 const COMBINED: usize = 3000;
-
-/// What a trial of modes showed.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Verdict {
-    /// The flow agrees.
-    Holds,
-    /// The flow asks for these.
-    Wants(Vec<Mode>),
-    /// Conditions repeat each other, or one left to others is not implied by them.
-    Repeats,
-}
 
 /// Surely longer than any chain of wishes that ends.
 fn patience(guards: usize) -> usize {
@@ -313,9 +303,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     /// Puts the changes into [`Flow::switches`]: impacts first, in the order of the guards.
-    fn list(&mut self, impacts: &[super::Impact], rests: &[(usize, f64)], listed: Listed) {
+    fn list(&mut self, impacts: &[Impact], rests: &[(usize, f64)], listed: Listed) {
         let t = self.now.high;
-        let impacts: Vec<&super::Impact> = impacts.iter().filter(|impact| !impact.silent).collect();
+        let impacts: Vec<&Impact> = impacts.iter().filter(|impact| !impact.silent).collect();
         for impact in &impacts {
             let guard = impact.guard;
             let after = if rests.iter().any(|r| r.0 == guard) { Mode::Positive } else { self.modes[guard] };
@@ -380,12 +370,4 @@ enum Listed {
     /// At the start only what changes the state.
     Impacts,
     All,
-}
-
-pub(crate) fn opposite(mode: Mode) -> Mode {
-    match mode {
-        Mode::Negative => Mode::Positive,
-        Mode::Zero => Mode::Zero,
-        Mode::Positive => Mode::Negative,
-    }
 }

@@ -8,7 +8,7 @@
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 
-use super::modes::Verdict;
+use super::happened::Verdict;
 
 /// Most sets that are tried.
 const TRIED: usize = 64;

@@ -10,23 +10,12 @@ use crate::integrate::taylor::{Flow, Work};
 use crate::system::TouchLaw;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
-use super::modes::opposite;
+use super::happened::{Rival, opposite};
 
 /// Most sets that are tried at an instant; those that differ in least come first.
 const TRIED: usize = 64;
 /// Share of the kinetic limit that a friction at rest must leave free: at the limit, sliding without acceleration is rest but for rounding.
 const FREE: f64 = 1e-6;
-
-/// What a friction does in another motion that obeys the laws.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rival {
-    /// The guard of the friction.
-    pub guard: usize,
-    /// Its mode there.
-    pub mode: Mode,
-    /// Whether what presses it has the other sign there.
-    pub turned: bool,
-}
 
 /// A friction that a reaction presses, which keeps no sign of its own.
 struct Pressed {

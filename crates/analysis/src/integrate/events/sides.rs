@@ -15,19 +15,12 @@
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
-use super::modes::opposite;
+use super::bounds::{BoundState, REACHED, SIGNIFICANT_LEAVING, STILL, judge_bound, leading_term, size};
+use super::happened::opposite;
 
-/// Share of a guard's own scale below which it counts as standing still on its surface.
-pub(crate) const STILL: f64 = 1e-11;
 /// Share of the guard's change within a step below which a Taylor coefficient is rounding. Were it taken for more, the mode would be corrected by a
 /// second switch that share of a step later.
 const SIGNIFICANT: f64 = 1e-15;
-/// The same for a guard that leaves `Zero`: the instant of the crossed limit is rounded, and what vanishes there (the acceleration of a break-away
-/// with equal limits, of a contact that opens) is left over as rounding of the time times the next coefficient.
-const SIGNIFICANT_LEAVING: f64 = 1e-10;
-/// Share of the limits of a friction, or of the size of a contact force, below which a limit counts as just reached: the reaction comes from a
-/// linear solve in which larger forces may meet.
-const REACHED: f64 = 1e-12;
 /// A limit of a friction below this share of both: a force of more than twice the static limit would be needed. Nearer cases are judged exactly,
 /// after the state has been moved onto the conditions.
 const TORN: f64 = 0.25;
@@ -39,56 +32,6 @@ const JUMPED: f64 = 1e-9;
 const LOOSE: f64 = 1e-9;
 /// Rounding of a guard at the start, in units of the last place of the states that meet in it.
 const START: f64 = 64.0 * f64::EPSILON;
-
-/// sum |g_k| h^k.
-pub(crate) fn size(g: &[f64], h: f64) -> f64 {
-    g.iter().rev().fold(0.0, |sum, g_k| sum * h + g_k.abs())
-}
-
-/// Order and sign of the first coefficient, after the constant one, whose term exceeds `share` of the change.
-fn leading_term(g: &[f64], h: f64, share: f64) -> Option<(usize, Mode)> {
-    let change = size(g.get(1..)?, h) * h;
-    let mut power = 1.0;
-    for (k, &g_k) in g.iter().enumerate().skip(1) {
-        power *= h;
-        if g_k.abs() * power > share * change {
-            return Some((k, Mode::of(g_k)));
-        }
-    }
-    None
-}
-
-/// What a bound does from here on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum BoundState {
-    /// Positive, away from zero.
-    Kept,
-    /// Just reached, but it rises with the coefficient of this order.
-    Rises(usize),
-    /// Just reached, and it stays there.
-    Rests,
-    /// Negative, or about to become so.
-    Crossed,
-}
-
-/// Judges a bound by its coefficients over a step h; `scale` is the size of what it bounds.
-pub(crate) fn judge_bound(g: &[f64], h: f64, scale: f64) -> BoundState {
-    let Some(&value) = g.first() else { return BoundState::Rests };
-    if value > REACHED * scale {
-        return BoundState::Kept;
-    }
-    if value < -REACHED * scale {
-        return BoundState::Crossed;
-    }
-    if size(&g[1..], h) * h <= REACHED * scale {
-        return BoundState::Rests;
-    }
-    match leading_term(g, h, SIGNIFICANT_LEAVING) {
-        Some((k, Mode::Positive)) => BoundState::Rises(k),
-        Some((_, Mode::Negative)) => BoundState::Crossed,
-        _ => BoundState::Rests,
-    }
-}
 
 /// Largest share of what a guard does that counts as its rounding.
 const PLAUSIBLE: f64 = 1e-6;

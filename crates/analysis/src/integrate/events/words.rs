@@ -2,7 +2,7 @@
 
 use words::Text;
 
-use super::{Change, Rival, Switch};
+use super::happened::{Change, Rival, Switch};
 use crate::dataset::{ContactChange, Standing};
 use crate::{Guard, GuardKind, Mode};
 use words::digits::number;

@@ -5,8 +5,8 @@ use super::newton::{Newton, Outcome};
 use super::nodes::{Base, Counts, Stages};
 use super::radau::{Tableau, stages};
 use super::scales::Scales;
-use crate::integrate::Series;
-use crate::proxies::proxy::Points;
+use crate::integrate::series::Series;
+use crate::proxies::points::Points;
 use crate::{Fault, Jacobian, System};
 
 /// What an attempt has shown.

@@ -3,7 +3,7 @@
 use crate::integrate::step;
 use words::Text;
 
-use super::{Ending, Flow};
+use super::flow::{Ending, Flow, expand_within_range};
 use crate::{Fault, System};
 use algebra::sum::Instant;
 
@@ -83,7 +83,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.system.expand(at.high, &self.next_x, &self.modes, 1)?;
         } else {
             self.work.expansions += 1;
-            super::expand_within_range(self.system, &mut self.rule, (at.high, &self.next_x), &self.modes)?;
+            expand_within_range(self.system, &mut self.rule, (at.high, &self.next_x), &self.modes)?;
         }
         match (0..self.x.len()).find(|&i| !self.system.state(i).iter().all(|c| c.is_finite())) {
             Some(i) => Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), at.high)),

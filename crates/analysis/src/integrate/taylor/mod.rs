@@ -11,8 +11,12 @@
 //! 4. at an event the modes are decided anew ([`crate::integrate::events`]).
 
 mod accept;
+mod flow;
 mod implicit;
+mod landing;
 mod length;
+mod options;
+mod over;
 mod passage;
 mod switching;
 mod turns;
@@ -21,182 +25,18 @@ use words::Text;
 
 use super::{Step, step};
 use crate::integrate::events::roots::RootFinder;
-use crate::integrate::events::{Hit, Rival, Switch};
-use crate::integrate::stiff::Method;
-use crate::{Blow, Fault, Mode, System, Tie};
+use crate::{Fault, Mode, System, Tie};
 use accept::Defect;
 use algebra::sum::{Instant, two_sum};
+use flow::{Crowd, Ending, expand_within_range};
 use implicit::Implicit;
 use length::Rule;
+use over::Passage;
+use passage::AWAY;
+
+pub use flow::Flow;
 pub use length::{HIGHEST_ORDER, order_for};
-use passage::{AWAY, Passage};
-use switching::Crowd;
-use words::digits::number;
-
-/// Smallest and largest tolerance accepted.
-pub const TOLERANCES: (f64, f64) = (1e-15, 1e-3);
-
-/// Options of a flow.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// Error of a component within a step, relative to its change within the step. Default 1e-12.
-    pub tolerance: f64,
-    /// Order of the Taylor polynomials, the same for the whole run; when absent it follows from the tolerance and adapts to the motion.
-    pub order: Option<usize>,
-    /// Length of the run, s: a time scale for motions that have none of their own (polynomials of time), used only to judge what is small.
-    /// Default 1.
-    pub span: f64,
-    /// Taylor series, the implicit method, or whichever is worth while. Default auto.
-    pub method: Method,
-    /// Whether steps are checked over their whole length; only a measurement of what that costs goes without.
-    #[doc(hidden)]
-    pub check: Check,
-}
-
-/// Whether a step is held against what its operations do inside it.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Check {
-    /// It is.
-    #[default]
-    Whole,
-    /// Only its last coefficients and its end count.
-    Ends,
-}
-
-impl Default for Options {
-    fn default() -> Options {
-        Options { tolerance: 1e-12, order: None, span: 1.0, method: Method::Auto, check: Check::Whole }
-    }
-}
-
-/// Work done by a flow.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Work {
-    /// Accepted steps.
-    pub steps: u64,
-    /// Steps taken back.
-    pub rejected: u64,
-    /// Steps shortened because an operation would have left its polynomial.
-    pub shortened: u64,
-    /// Expansions of the full order.
-    pub expansions: u64,
-    /// Expansions of order 1, for the defect of steps that end at an event.
-    pub probes: u64,
-    /// Changes of mode and impacts.
-    pub switches: u64,
-    /// Projections that changed the state.
-    pub projections: u64,
-    /// Sum of the orders of the accepted steps.
-    pub orders: u64,
-    /// Highest order.
-    pub highest_order: usize,
-    /// Those of the accepted steps that are implicit.
-    pub implicit_steps: u64,
-    /// Degree of their polynomials.
-    pub stages: usize,
-    /// Jacobians.
-    pub jacobians: u64,
-    /// Factorisations of a matrix of the size of the state.
-    pub factorisations: u64,
-    /// Newton iterations, each with the rates at all nodes of a step.
-    pub newton: u64,
-    /// Single rates for the defect between nodes.
-    pub rates: u64,
-}
-
-impl Work {
-    /// Mean order of the Taylor steps, 0 without any.
-    pub fn mean_order(&self) -> f64 {
-        let taylor = self.steps - self.implicit_steps;
-        if taylor > 0 { self.orders as f64 / taylor as f64 } else { 0.0 }
-    }
-}
-
-/// A motion under way.
-pub struct Flow<'s, S: System + ?Sized> {
-    pub(crate) system: &'s mut S,
-    rule: Rule,
-    pub(crate) now: Instant,
-    pub(crate) x: Vec<f64>,
-    /// x + low is the state; low is what rounding would cut.
-    low: Vec<f64>,
-    /// State before the last event; an impact changes rates.
-    pub(crate) before: Vec<f64>,
-    /// Modes before the last event.
-    pub(crate) modes_before: Vec<Mode>,
-    /// State after the impacts of an event, from which every trial of modes begins.
-    pub(crate) base: Vec<f64>,
-    /// Largest relative violation of conditions that a projection removed.
-    drift: f64,
-    /// That of the step under trial.
-    removed: f64,
-    /// The same by condition: largest violation and largest size along the motion.
-    drifts: Vec<[f64; 2]>,
-    pub(crate) modes: Vec<Mode>,
-    /// Guards that leave `Zero` in the present trial.
-    pub(crate) leaving: Vec<bool>,
-    /// Contacts that have just rebounded.
-    pub(crate) rebounds: Vec<bool>,
-    /// Whether prescribed velocities jump at this instant.
-    pub(crate) jolted: bool,
-    /// The last impact at each contact.
-    pub(crate) hits: Vec<Option<Hit>>,
-    /// What the impact of the last event did.
-    pub(crate) blow: Option<Blow>,
-    /// Guards that the event crossed, and the owners of crossed bounds; all where an impact or the start decides everything.
-    pub(crate) fired: Vec<bool>,
-    /// What is nothing at contacts and frictions, by guard; found where a law is violated, since the last event.
-    pub(crate) ties: Vec<Tie>,
-    /// Whether `ties` are those of the present state.
-    pub(crate) weighed: bool,
-    /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
-    pub(crate) deflation: Vec<usize>,
-    /// Guards on their surface now.
-    pub(crate) touched: Vec<bool>,
-    /// sum |g_k| h^k of each guard when it was last expanded: what counts as small.
-    pub(crate) guard_scale: Vec<f64>,
-    /// The largest contact or normal force where modes were decided last.
-    pub(crate) loads: f64,
-    /// Rounding of each guard's value at the end of the last step; zero at the start.
-    pub(crate) guard_noise: Vec<f64>,
-    /// Expansion at the current point is in the system.
-    expanded: bool,
-    check: Check,
-    /// Angles that only turn, by state.
-    freely: Vec<usize>,
-    /// Whole fours of turns taken off each state.
-    turns: Vec<f64>,
-    /// The state with its turns.
-    shown: Vec<f64>,
-    step: Step,
-    next_x: Vec<f64>,
-    next_low: Vec<f64>,
-    next_slope: Vec<f64>,
-    /// Scratch for trials of modes.
-    trial: Step,
-    guess: f64,
-    span: f64,
-    /// Length of an undisturbed step where modes were decided last.
-    pub(crate) natural: f64,
-    pub(crate) switches: Vec<Switch>,
-    /// Another motion that obeys the laws where modes were decided at the end of the last step.
-    pub(crate) rivals: Vec<Rival>,
-    crowd: Crowd,
-    implicit: Implicit,
-    passage: Passage,
-    /// Defect per length of the last step where it was rounding of the system itself.
-    rough: Option<f64>,
-    pub(crate) roots: RootFinder,
-    pub(crate) work: Work,
-}
-
-/// What stands at the end of a step.
-#[derive(Clone, Copy, PartialEq)]
-enum Ending {
-    Event,
-    Plain,
-}
+pub use options::{Check, Options, TOLERANCES, Work, check_tolerance};
 
 fn check_start<S: System + ?Sized>(system: &S, t: f64, x: &[f64]) -> Result<(), Fault> {
     match system.states().iter().zip(x).find(|(_, value)| !value.is_finite()) {
@@ -368,63 +208,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         arrived
     }
 
-    /// Whether `t` has been reached.
-    pub fn reached(&self, t: f64) -> bool {
-        self.now.until(t) <= 0.0
-    }
-    /// Current instant.
-    pub fn time(&self) -> f64 {
-        self.now.high
-    }
-    /// Current state.
-    pub fn state(&self) -> &[f64] {
-        &self.shown
-    }
-    /// State just before the last event; differs from [`Flow::state`] in the rates after an impact.
-    pub fn state_before(&self) -> Vec<f64> {
-        self.with_turns(&self.before)
-    }
-    /// Modes just before the last event.
-    pub fn modes_before(&self) -> &[Mode] {
-        &self.modes_before
-    }
-    /// What the impact of the last event did, if there was one.
-    pub fn blow(&self) -> Option<&Blow> {
-        self.blow.as_ref()
-    }
-    /// Largest relative violation of the conditions of connections that was removed by projection. A condition is compared with the largest terms that
-    /// meet in it along the motion: a start all but at the origin has no size of its own.
-    pub fn drift(&self) -> f64 {
-        if self.drifts.is_empty() {
-            return self.drift;
-        }
-        self.drifts.iter().filter(|d| d[0] > 0.0).map(|[off, size]| off / size).fold(0.0, f64::max)
-    }
-    /// Current modes.
-    pub fn modes(&self) -> &[Mode] {
-        &self.modes
-    }
-    /// The last accepted step.
-    pub fn step(&self) -> &Step {
-        &self.step
-    }
-    /// Changes of mode at the end of the last step (or at the start, before the first step).
-    pub fn switches(&self) -> &[Switch] {
-        &self.switches
-    }
-
-    /// What frictions would do in another motion that obeys the laws, where modes were decided at the end of the last step; empty where none was found.
-    pub fn rivals(&self) -> &[Rival] {
-        &self.rivals
-    }
-
-    pub(crate) fn low(&self) -> &[f64] {
-        &self.low
-    }
-
-    pub(crate) fn put_low(&mut self, low: &[f64]) {
-        self.low.copy_from_slice(low);
-    }
     /// The part of a step on which every operation does what its polynomial says. What it cuts says nothing about the length of the next step.
     fn faithful(&mut self, h: f64) -> f64 {
         if self.check == Check::Ends {
@@ -433,24 +216,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         let shorter = self.system.faithful(h, self.rule.tolerance);
         self.work.shortened += u64::from(shorter < h);
         shorter
-    }
-
-    /// Work done.
-    pub fn work(&self) -> &Work {
-        &self.work
-    }
-    /// Order of the next expansion.
-    pub fn order(&self) -> usize {
-        self.rule.order
-    }
-    /// The system, for outputs. Its last expansion belongs to the flow.
-    pub fn system(&mut self) -> &mut S {
-        self.system
-    }
-
-    /// The last accepted step and the system, to evaluate outputs along the step.
-    pub fn step_and_system(&mut self) -> (&Step, &mut S) {
-        (&self.step, self.system)
     }
 
     pub(crate) fn expand_here(&mut self) -> Result<(), Fault> {
@@ -571,26 +336,4 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         Ok(())
     }
-}
-
-/// Expansion at (t, x), of a lower order where coefficients overflow: those of a damping of 1e13 1/s do at order 25.
-fn expand_within_range<S: System + ?Sized>(system: &mut S, rule: &mut Rule, (t, x): (f64, &[f64]), modes: &[Mode]) -> Result<(), Fault> {
-    loop {
-        match system.expand(t, x, modes, rule.order) {
-            Err(fault) if fault.is_overflow() && rule.lower() => {}
-            outcome => return outcome,
-        }
-    }
-}
-
-/// Refuses a tolerance that cannot be kept.
-pub fn check_tolerance(tolerance: f64) -> Result<(), Fault> {
-    if tolerance >= TOLERANCES.0 && tolerance <= TOLERANCES.1 {
-        return Ok(());
-    }
-    let n = number(tolerance);
-    Err(Fault::option(
-        Text::new(format!("tolerance = {} is not between 1e-15 and 1e-3", n.en), format!("точность {} не лежит между 1e-15 и 1e-3", n.ru)),
-        Text::new("use 1e-12, or 1e-9 when speed matters", "используйте 1e-12 или, если важна скорость, 1e-9"),
-    ))
 }

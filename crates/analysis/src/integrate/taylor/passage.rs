@@ -12,12 +12,11 @@
 //!
 //! A singularity that is none, only near to one, has no zero of μ and is resolved by short steps as any other motion.
 
-use super::Flow;
-use crate::integrate::Series;
+use super::flow::Flow;
+use super::over::{Over, Passage};
 use crate::integrate::step;
 use crate::{Fault, System};
 use algebra::elementary;
-use algebra::sum::Instant;
 
 /// Share of the best margin that a step should leave at its end.
 const CLEAR: f64 = 0.05;
@@ -58,32 +57,6 @@ const FLAT: f64 = 1.1;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Halvings and golden sections.
 const SECTIONS: usize = 48;
-
-/// What is known of change points.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Passage {
-    /// Largest margin so far, and that of the present state.
-    best: f64,
-    here: f64,
-    /// Least margin known within the present step.
-    least: f64,
-    /// Instant of the last change point passed; long ago where there was none.
-    behind: Option<Instant>,
-    /// The change point that the present step leads over.
-    over: Option<Over>,
-}
-
-/// A step over a change point.
-#[derive(Clone, Debug)]
-struct Over {
-    /// How far it is.
-    to: f64,
-    /// Series of the step as they were.
-    whole: [Series; 2],
-    /// Error relative to the change, and the change by state.
-    error: f64,
-    changes: Vec<f64>,
-}
 
 impl<S: System + ?Sized> Flow<'_, S> {
     /// The length of the step so that it does not end near a change point; prepares a passage where it leads over one.

@@ -1,19 +1,11 @@
 //! Switches on the way: the first crossing inside a step, what is on its surface at the end, and when switches come too close.
 
-use super::{Ending, Flow};
+use super::flow::{Ending, Flow};
 use crate::integrate::Step;
 use crate::integrate::events::roots::surely_no_root;
 use crate::integrate::events::{BoundState, Change, opposite};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
-use algebra::sum::Instant;
-
-/// Watches for switches that accumulate.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Crowd {
-    pub(super) last: Instant,
-    close: u32,
-}
 
 /// Switches in a row closer than [`CLOSE`] of the undisturbed step before they count as an accumulation.
 const CROWD: u32 = 64;

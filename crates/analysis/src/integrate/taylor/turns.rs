@@ -3,7 +3,7 @@
 //! An angle of 10 000 turns has an ulp of 7e-12; the sines in the equations would see every step's rounding, and a conservative machine would gain or lose
 //! energy by it. Four turns at a time are taken off: 8π, high part exactly, low part into what the flow carries beside the state.
 
-use super::Flow;
+use super::flow::Flow;
 use crate::System;
 use algebra::sum::two_sum;
 

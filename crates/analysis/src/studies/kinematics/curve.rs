@@ -7,8 +7,9 @@ use std::sync::Arc;
 
 use program::Behind;
 
-use super::way::Stand;
-use super::{Observer, Place, Walk, turning};
+use super::stand::Stand;
+use super::turning;
+use super::walk::{Observer, Place, Walk};
 use crate::dataset::Extreme;
 use crate::marks::course::Course;
 use crate::proxies::proxy::{Proxies, Source};

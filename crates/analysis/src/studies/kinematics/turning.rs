@@ -8,7 +8,7 @@ use words::{Message, Text};
 
 use super::extrapolation;
 use super::linkage::{Linkage, Spot};
-use super::way::Stand;
+use super::stand::Stand;
 use crate::Fault;
 use words::digits::ten_digits;
 

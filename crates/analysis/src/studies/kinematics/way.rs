@@ -5,6 +5,7 @@
 
 use super::extrapolation;
 use super::linkage::{Linkage, Spot};
+use super::stand::Stand;
 use super::turning::SINGULAR;
 use crate::Fault;
 
@@ -25,15 +26,6 @@ const NODES: usize = 9;
 /// The first of them stands so many strides before the hard spot, the landing so many behind the first.
 const BEFORE: f64 = 2.0;
 const AHEAD: f64 = 4.0;
-
-/// A place with what is known there.
-#[derive(Clone, Debug)]
-pub(super) struct Stand {
-    pub(super) s: f64,
-    pub(super) at: Spot,
-    /// dq/ds, integrated from the second derivative.
-    pub(super) integrated: Vec<f64>,
-}
 
 /// Largest disagreements met on the way.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,6 +5,7 @@ use super::fundamental::{self, Blur};
 use super::listener::Listener;
 use super::options::Periodic;
 use super::orbit::{Limit, Orbit, Section, follow};
+use super::slopes;
 use super::spectrum::Turn;
 use super::symmetry::{self, Symmetry};
 use crate::dataset::Audit;
@@ -63,7 +64,7 @@ pub(super) fn tangent<S: System + ?Sized>(
     symmetry: &Symmetry,
 ) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
     let n = x.len();
-    let rows = fundamental::derivative(x, scales, |place| {
+    let rows = slopes::derivative(x, scales, |place| {
         let mut place = place.to_vec();
         system.project(0.0, &mut place, modes)?;
         Ok(place)
@@ -304,7 +305,7 @@ impl Found<'_> {
         let size = (n..2 * n).map(|i| self.scales[i] / self.orbit.period * TAU + first[i].abs());
         // forces that cancel are known to the rounding of their terms
         let mut slopes = Vec::new();
-        let known = fundamental::slopes(system, (0.0, &self.orbit.first), &self.orbit.modes[0], &self.scales, &mut slopes).is_ok();
+        let known = slopes::slopes(system, (0.0, &self.orbit.first), &self.orbit.modes[0], &self.scales, &mut slopes).is_ok();
         let width = self.orbit.first.len() + 1;
         let terms = |i: usize| -> f64 { slopes[i * width..].iter().zip(&self.orbit.first).map(|(a, x)| (a * x).abs()).sum() };
         let rounding = |i: usize| if known && terms(i).is_finite() { ROUNDED * f64::EPSILON * terms(i) } else { 0.0 };

@@ -20,9 +20,12 @@ mod newton;
 mod options;
 mod orbit;
 mod rest;
+mod slopes;
 mod spectrum;
+mod square;
 mod symmetry;
 mod variation;
+mod verdict;
 
 pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
@@ -31,6 +34,7 @@ pub use options::{Formula, Multiplier, Periodic, Return};
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;
 use fundamental::Blur;
+use verdict::stable;
 use words::Text;
 
 use super::simulate::{self, Grid};
@@ -69,8 +73,6 @@ pub struct Outcome {
     pub fault: Option<Fault>,
 }
 
-/// Multipliers this near to the unit circle decide nothing, whatever their error.
-const NEUTRAL: f64 = 1e-10;
 /// Most returns tried when nobody says how many a period has.
 const RETURNS: usize = 4;
 
@@ -205,19 +207,6 @@ fn multipliers<S: System + ?Sized>(
     );
     dataset.audits.insert(1, Audit::at_most("liouville", name, turn.liouville, 1e-8));
     Ok(Some(spectrum.multipliers))
-}
-
-/// What a multiplier's distance from the unit circle must exceed.
-fn margin(m: &Multiplier) -> f64 {
-    m.error.max(NEUTRAL)
-}
-
-fn stable(multipliers: &[Multiplier]) -> Option<bool> {
-    let own = || multipliers.iter().filter(|m| !m.trivial);
-    if own().any(|m| m.abs() - 1.0 > margin(m)) {
-        return Some(false);
-    }
-    own().all(|m| 1.0 - m.abs() > margin(m)).then_some(true)
 }
 
 fn blurred(blur: Blur) -> Option<Text> {

@@ -4,8 +4,11 @@
 //! jump to a place of rest that the motion itself leaves; it is the answer only where every small motion about it dies away.
 
 use super::found::Found;
+use super::fundamental::Blur;
+use super::options::Multiplier;
 use super::orbit::Orbit;
-use super::{Multiplier, spectrum, stable};
+use super::spectrum;
+use super::verdict::stable;
 use crate::{Fault, System};
 use algebra::elementary;
 use words::{Message, Text};
@@ -39,7 +42,7 @@ pub(super) fn left(orbit: &Orbit, scales: &[f64]) -> Left {
 
 /// Whether every small motion about the place of rest that the turn has become dies away.
 pub(super) fn attracts<S: System + ?Sized>(system: &mut S, found: &Found<'_>, seed: u64) -> bool {
-    let Ok((turn, super::Blur::None)) = found.turn(system) else { return false };
+    let Ok((turn, Blur::None)) = found.turn(system) else { return false };
     spectrum::spectrum(&turn, seed).is_ok_and(|s| stable(&s.multipliers) == Some(true))
 }
 

@@ -4,8 +4,8 @@
 //! of all these rows is a direction (dq, ds, dt) of translation. A motion is periodic when it comes back up to such translations and whole
 //! turns of angles.
 
-use super::fundamental::{derivative, slopes};
 use super::orbit::Orbit;
+use super::slopes::{derivative, slopes};
 use crate::{Fault, Mode, System};
 use algebra::qr::Qr;
 use algebra::random::Random;

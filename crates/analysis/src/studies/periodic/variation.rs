@@ -15,9 +15,10 @@
 //!
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5.
 
-use super::fundamental::{Square, slopes};
 use super::listener::{Listener, Stage};
 use super::orbit::Orbit;
+use super::slopes::slopes;
+use super::square::Square;
 use crate::integrate::Step;
 use crate::{Fault, System};
 use algebra::elementary;

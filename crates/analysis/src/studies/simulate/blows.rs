@@ -2,14 +2,13 @@
 
 use words::Text;
 
-use super::{Run, jumps};
+use super::run::{Run, jumps};
 use crate::audits::impacts::relative;
 use crate::dataset::{Audit, Impulse};
 use crate::integrate::events::{Change, Switch};
 use crate::integrate::taylor::Flow;
 use crate::system::{Blow, Touch, TouchLaw};
 use crate::{GuardKind, Mode, System};
-use words::digits::rounded;
 
 /// Rounding of the energies of a blow, relative to the works that meet.
 const LIMIT: f64 = 1e-9;
@@ -245,17 +244,4 @@ fn driven<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], modes: &[Mode])
 fn open_directions<S: System + ?Sized>(flow: &mut Flow<'_, S>, blow: &Blow) -> Vec<Vec<f64>> {
     let (t, state, modes) = (flow.time(), flow.state().to_vec(), flow.modes().to_vec());
     flow.system().open_impulses(t, &state, &modes, blow).unwrap_or_default()
-}
-
-/// `..., impulses: force_x(O) = 3 N s`.
-pub(super) fn with_impulses(what: &Text, impulses: &[Impulse]) -> Text {
-    let one = |p: &Impulse, ru: bool| {
-        if p.value.is_nan() {
-            return format!("{} {}", p.name, if ru { "не определяется однозначно" } else { "is not unique" });
-        }
-        let (n, unit) = (rounded(p.value), Text::unit(&p.unit));
-        if ru { format!("{} = {} {}", p.name, n.ru, unit.ru) } else { format!("{} = {} {}", p.name, n.en, unit.en) }
-    };
-    let list = |ru: bool| impulses.iter().map(|p| one(p, ru)).collect::<Vec<_>>().join("; ");
-    Text::new(format!("{}, impulses: {}", what.en, list(false)), format!("{}, импульсы: {}", what.ru, list(true)))
 }

@@ -1,6 +1,6 @@
 //! Rows that fall into a change point.
 
-use super::Run;
+use super::run::Run;
 use crate::integrate::Step;
 use crate::{Fault, System};
 

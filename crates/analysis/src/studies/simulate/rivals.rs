@@ -1,9 +1,10 @@
-//! Instants at which the laws of friction allow another motion than the one that is followed.
+//! Instants at which the laws of friction allow another motion than the one that is followed; what events say besides.
 
 use words::Text;
-use words::digits::number;
+use words::digits::{number, rounded};
 
 use crate::System;
+use crate::dataset::Impulse;
 use crate::integrate::events::words::rivals;
 use crate::integrate::taylor::Flow;
 
@@ -54,4 +55,17 @@ pub(super) fn beside(what: &Text, other: &Text) -> Text {
         format!("{}; another motion obeys the laws, too ({})", what.en, other.en),
         format!("{}; законам отвечает и другое движение ({})", what.ru, other.ru),
     )
+}
+
+/// `..., impulses: force_x(O) = 3 N s`.
+pub(super) fn with_impulses(what: &Text, impulses: &[Impulse]) -> Text {
+    let one = |p: &Impulse, ru: bool| {
+        if p.value.is_nan() {
+            return format!("{} {}", p.name, if ru { "не определяется однозначно" } else { "is not unique" });
+        }
+        let (n, unit) = (rounded(p.value), Text::unit(&p.unit));
+        if ru { format!("{} = {} {}", p.name, n.ru, unit.ru) } else { format!("{} = {} {}", p.name, n.en, unit.en) }
+    };
+    let list = |ru: bool| impulses.iter().map(|p| one(p, ru)).collect::<Vec<_>>().join("; ");
+    Text::new(format!("{}, impulses: {}", what.en, list(false)), format!("{}, импульсы: {}", what.ru, list(true)))
 }

@@ -2,7 +2,8 @@
 
 use words::Text;
 
-use super::{EVENTS, Run};
+use super::options::EVENTS;
+use super::run::Run;
 use crate::dataset::{ContactChange, Event};
 use crate::integrate::taylor::Flow;
 use crate::marks::Along;

@@ -1,9 +1,10 @@
 //! The constants of the textbook formula by name, for tables and files.
 
+use super::form::Form;
 use super::load::{Load, Term};
 use super::motion::{Mode, Motion};
 use super::oscillator::{Case, Constants, Harmonic, Oscillator};
-use super::{Phase, form::Form};
+use super::phase::Phase;
 
 /// The time that a harmonic load is written over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use program::Behind;
 
+use super::phase::{Phase, modes};
 use super::walk::Walk;
-use super::{Phase, modes};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
 use crate::marks::Line;

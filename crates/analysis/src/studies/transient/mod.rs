@@ -12,6 +12,7 @@ pub mod motion;
 mod named;
 mod obstacle;
 pub mod oscillator;
+mod phase;
 pub(crate) mod phase_error;
 mod pushes;
 mod rest;
@@ -22,9 +23,11 @@ use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
 use crate::marks::named::Named;
 use crate::marks::pushes::Push;
-use crate::{Fault, Mode, Quantity, System};
-use form::Form;
+use crate::{Fault, Quantity, System};
 use motion::Motion;
+use phase::modes;
+
+pub use phase::Phase;
 use symbolic::Equations;
 use words::Text;
 use words::digits::rounded;
@@ -39,23 +42,6 @@ pub struct Transient<'a> {
     pub linearise: bool,
     /// Strands that only pull and tracks that only push.
     pub pushes: Vec<Push>,
-}
-
-/// One phase of the motion.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Phase {
-    /// Start, s.
-    pub start: f64,
-    /// End, s.
-    pub end: f64,
-    /// The system within it.
-    pub form: Form,
-    /// Its motion over τ = t - start.
-    pub motion: Motion,
-    /// (q, q') at the start.
-    pub state_at_start: Vec<f64>,
-    /// (q, q') at the end.
-    pub state_at_end: Vec<f64>,
 }
 
 /// A result: the outcome and the phases.
@@ -274,16 +260,6 @@ fn each_row(phases: &[Phase], times: &[f64], mut visit: impl FnMut(usize, &[f64]
         }
     }
     Ok(())
-}
-
-/// Scheduled switches as inside the phase, others by their values.
-fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -> Vec<Mode> {
-    let inside = 0.5 * (phase.start + phase.end);
-    let count = system.guards().len();
-    let plain = || vec![Mode::Positive; count];
-    let (scheduled, own) = (system.modes_by_value(inside, x).unwrap_or_else(plain), system.modes_by_value(t, x).unwrap_or_else(plain));
-    let choose = |(guard, (s, o)): (&crate::Guard, (Mode, Mode))| if guard.scheduled.is_some() { s } else { o };
-    system.guards().iter().zip(scheduled.into_iter().zip(own)).map(choose).collect()
 }
 
 /// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind; a

@@ -1,8 +1,8 @@
 //! Named events on the closed form, and the end of the motion at one that stops it.
 
 use super::course::Closed;
+use super::phase::{Phase, modes};
 use super::walk::Walk;
-use super::{Phase, modes};
 use crate::System;
 use crate::dataset::Event;
 use crate::marks::named::{Happened, Named, Watcher};

@@ -7,7 +7,7 @@
 //! is the share of its first amplitude by which a part e^(λ τ) may err: what dies away takes its error with it. The integrator of `simulate` adds small
 //! angles and would lose more; no method of this word length does better.
 
-use super::Phase;
+use super::phase::Phase;
 use crate::Fault;
 use algebra::elementary;
 use words::digits::rounded;

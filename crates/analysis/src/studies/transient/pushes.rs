@@ -1,7 +1,7 @@
 //! Strands that only pull and tracks that only push, along the closed form.
 
-use super::Phase;
 use super::course::Closed;
+use super::phase::Phase;
 use super::walk::Walk;
 use crate::fault::connections::Since;
 use crate::marks::crossings::{self, Bracket};

@@ -11,7 +11,7 @@
 
 use super::component::{Component, Pull};
 use super::faults;
-use super::wheels::{Line, Pair, label, pair};
+use super::pair::{Line, Pair, label, pair};
 use crate::model::{Axis, Connection, ConnectionKind, Part, PointRef, Strands};
 use crate::scene::kinematics::Kinematics;
 use crate::scene::pathways::unit_vector;

@@ -2,7 +2,7 @@
 //!
 //! Nothing of the inertia terms of the balances goes in here: momenta come from the placements, by differentiation in numbers.
 
-use super::Connected;
+use super::connected::Connected;
 use super::release::{Displacement, chain};
 use crate::derive::lagrange::inertia_parts;
 use crate::model::{FrameId, PointRef};

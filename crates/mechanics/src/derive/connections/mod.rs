@@ -6,51 +6,28 @@
 //! axle anyway) has no place among the conditions of the motion: its reaction follows from the balance of the body when it is
 //! released there (`release.rs`).
 
+mod connected;
 mod free;
 mod release;
 mod transmissions;
 
+pub use connected::Connected;
+
+use super::inertial;
 use super::loads::Loads;
-use super::newton_euler;
 use super::place::{Open, Opening, Placer};
-use crate::connections::common::{faults, wheels};
-use crate::connections::{self, Component, Doubt, Nature, Pull, Rubbing};
+use crate::connections::common::{faults, pair};
+use crate::connections::{self, Component, Nature, Rubbing};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, Slides};
 use crate::scene::kinematics::Kinematics;
 use crate::scene::requests::Resolver;
 use crate::scene::wrench::{Act, generalized};
 use crate::scene::{Columns, Found, Scene};
 use std::collections::BTreeSet;
-use std::ops::Range;
-use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
+use symbolic::connections::{Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
-
-/// What connections add to the equations.
-#[derive(Debug, Default)]
-pub struct Connected {
-    /// As in the equations.
-    pub reactions: Vec<Reaction>,
-    /// As in the equations.
-    pub conditions: Vec<Condition>,
-    /// As in the equations.
-    pub balances: Vec<Balance>,
-    /// As in the equations.
-    pub free: Released,
-    /// Work of each force and torque in the balances, as in `Loads::named`.
-    pub applied: Vec<Vec<(usize, Expr)>>,
-    /// Newton-Euler: generalized force of each reaction per unit, per direction.
-    pub geometric: Vec<Columns<Expr>>,
-    /// Actions of each reaction per unit.
-    acts: Vec<Vec<Act>>,
-    released: BTreeSet<FrameId>,
-    taken: BTreeSet<String>,
-    /// With the conditions of the connection that has them.
-    doubts: Vec<(Doubt, Range<usize>)>,
-    /// What belts and chains do by the unknown sum of their tensions, with the connection.
-    pulls: Vec<(usize, Pull)>,
-}
 
 /// Finds conditions and reactions of all connections; balances come later, when the loads are known.
 pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Connected, Vec<Notice>> {
@@ -322,7 +299,7 @@ impl Connected {
             free::act(scene, kinematics, &loads.acts, inertial, self);
             return;
         }
-        let (every, momenta) = (loads, newton_euler::carried(scene, kinematics));
+        let (every, momenta) = (loads, inertial::carried(scene, kinematics));
         let mut placer = Placer::new(scene, kinematics);
         let named: Vec<Vec<Act>> =
             loads.named.iter().map(|(_, _, acts)| placer.place(scene, kinematics, &loads.acts[acts.clone()])).collect();
@@ -363,7 +340,7 @@ impl Connected {
             let connection = &scene.model.connections[of];
             let symbol = self.name(scene, "T", &connection.name);
             let name = format!("{}.{}", connection.table, connection.name);
-            let (unit, label) = ("N".to_owned(), wheels::label(connection));
+            let (unit, label) = ("N".to_owned(), pair::label(connection));
             self.reactions.push(Reaction { symbol, name, unit, label, forces, released: Vec::new(), law: Law::Tension });
             self.geometric.push(Columns::new());
             self.acts.push(pull.acts);

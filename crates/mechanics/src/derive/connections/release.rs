@@ -10,7 +10,7 @@
 //! | along any direction | declared forces and own displacements span all directions: no force is undeclared |
 //! | about a declared moment, about the couple of two declared forces | no moment is undeclared there |
 
-use super::Connected;
+use super::connected::Connected;
 use crate::derive::place::Placer;
 use crate::model::{Axis, FrameId};
 use crate::scene::kinematics::Kinematics;

@@ -5,7 +5,7 @@
 //! The bodies that a coordinate moves are taken together by the declared reactions that do work in the displacements of two of them; where these leave
 //! more than one group, the wrench between the groups is unknown, in size and direction, and whatever depends on it has no value.
 
-use super::Connected;
+use super::connected::Connected;
 use super::release::{self, Displacement};
 use crate::derive::place::Placer;
 use crate::model::FrameId;

@@ -4,6 +4,11 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use std::io::Write;
 
+/// Width between the margins of a page A4, EMU: 210 − 30 − 15 mm.
+const WIDTH: u64 = 165 * 36_000;
+/// Greatest height of a picture, EMU.
+const HEIGHT: u64 = 170 * 36_000;
+
 const MAIN: &str = "http://schemas.openxmlformats.org/wordprocessingml/2006/main";
 const MATH: &str = "http://schemas.openxmlformats.org/officeDocument/2006/math";
 const LINKS: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
@@ -57,9 +62,9 @@ fn extent(png: &[u8]) -> [u64; 2] {
     let [w, h] = pixels(png).unwrap_or([4, 3]);
     // 12700 EMU a point; pictures are drawn at two pixels a unit of 1/96 inch
     let (natural, tall) = (w * 4762, h * 4762);
-    let width = natural.min(super::WIDTH);
+    let width = natural.min(WIDTH);
     let height = tall * width / natural;
-    if height <= super::HEIGHT { [width, height] } else { [width * super::HEIGHT / height, super::HEIGHT] }
+    if height <= HEIGHT { [width, height] } else { [width * HEIGHT / height, HEIGHT] }
 }
 
 /// The text and its pictures as the bytes of the file.
@@ -236,7 +241,7 @@ mod tests {
         let png = |w: u32, h: u32| [vec![0; 16], w.to_be_bytes().to_vec(), h.to_be_bytes().to_vec()].concat();
         for (w, h) in [(100, 100), (4000, 300), (300, 9000), (1, 1)] {
             let [x, y] = extent(&png(w, h));
-            assert!(x <= super::super::WIDTH && y <= super::super::HEIGHT, "{w} {h}: {x} {y}");
+            assert!(x <= WIDTH && y <= HEIGHT, "{w} {h}: {x} {y}");
         }
     }
 }

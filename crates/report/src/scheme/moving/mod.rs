@@ -8,14 +8,16 @@
 //! | the picture at the first frame, with marks for the script | `picture.rs` |
 //! | a file that plays by itself (SMIL) | `smil.rs` |
 
+mod course;
 mod data;
 mod picture;
 mod pose;
 mod smil;
 
+pub use course::{Clock, Moving, Stay, Track};
 pub use data::{Decoded, RESOLUTION, TURN};
 
-use super::{Fit, P, Scheme};
+use super::{Fit, Scheme};
 use crate::rich::Rich;
 use words::Language;
 
@@ -27,54 +29,6 @@ const MOST_FRAMES: usize = 6000;
 const PLAYED: [f64; 2] = [3.0, 90.0];
 /// Seconds that the slowest swing or turn takes when it is played.
 const SWING: f64 = 1.5;
-
-/// The path of an origin, and a turn.
-#[derive(Clone, Debug, Default)]
-pub struct Track {
-    /// The origin at each frame, pixels; empty for what stands still.
-    pub at: Vec<P>,
-    /// The angle at each frame, rad, counter-clockwise; empty for what does not turn.
-    pub turn: Vec<f64>,
-}
-
-/// What the times of a motion are.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Clock {
-    /// Symbol of the variable: `t`, `phi_1`.
-    pub symbol: String,
-    /// Its unit in SI, ASCII.
-    pub unit: String,
-    /// Whether the end joins the beginning.
-    pub repeats: bool,
-}
-
-/// A moving picture.
-#[derive(Clone, Debug)]
-pub struct Moving {
-    /// The scheme at the first frame.
-    pub scheme: Scheme,
-    /// The same behind it in grey: the place about which a shape swings.
-    pub rest: bool,
-    /// What the times are.
-    pub clock: Clock,
-    /// Times of the frames, SI, ascending.
-    pub times: Vec<f64>,
-    /// Tracks; the first is the ground.
-    pub tracks: Vec<Track>,
-    /// How items look at times, by their numbers.
-    pub states: Vec<(usize, Vec<Stay>)>,
-}
-
-/// A look of an item for a while.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stay {
-    /// Its beginning, SI.
-    pub from: f64,
-    /// Its end.
-    pub to: f64,
-    /// `open`, `sticks`, `slips`.
-    pub look: &'static str,
-}
 
 impl Moving {
     /// A moving picture; none where nothing moves. Frames beyond what a page keeps are left out evenly.

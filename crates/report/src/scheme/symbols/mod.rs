@@ -7,25 +7,12 @@ mod loads;
 mod masses;
 mod shafts;
 mod signs;
+mod symbol;
 mod ties;
 mod wheels;
 
-use super::{Fit, Ink, Place};
-
-/// A symbol.
-#[derive(Debug)]
-pub struct Symbol {
-    /// Its name.
-    pub name: &'static str,
-    /// What it stands for, English and Russian.
-    pub words: (&'static str, &'static str),
-    /// How it moves.
-    pub fit: Fit,
-    /// Draws it.
-    pub draw: fn(&Place, &mut Ink),
-    /// A place for the sheet of all symbols.
-    pub sample: fn() -> Place,
-}
+pub use symbol::Symbol;
+pub(crate) use symbol::{across, middle};
 
 /// All families.
 pub const TABLE: &[&[Symbol]] =
@@ -36,19 +23,10 @@ pub fn find(name: &str) -> Option<&'static Symbol> {
     TABLE.iter().flat_map(|family| family.iter()).find(|symbol| symbol.name == name)
 }
 
-/// One anchor in the middle.
-fn middle() -> Place {
-    Place::default()
-}
-
-/// Two anchors from left to right.
-fn across() -> Place {
-    Place { at: [-50.0, 0.0], to: [50.0, 0.0], ..Place::default() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scheme::{Fit, Ink, Place};
 
     #[test]
     fn every_symbol_has_a_name_of_its_own_words_in_both_languages_and_draws_something() {

@@ -1,0 +1,602 @@
+//! A linearised machine whose parameters can be changed.
+
+use std::sync::Arc;
+use words::Message;
+
+use program::lower::{self, Inputs};
+use program::{Evaluator, Point, Tape};
+use symbolic::linear::{About, Loads, Timing};
+use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
+use words::Text;
+
+use super::matrices::{Harmonic, Matrices, settle};
+use crate::naming::notation;
+use crate::rest::near::Near;
+use crate::rest::search::{Statics, rest_near};
+use crate::waveform::Shape;
+use crate::{Fault, Quantity};
+use algebra::lu::Lu;
+use algebra::qr;
+
+/// A linearised machine with parameters that can be changed.
+#[derive(Clone, Debug)]
+pub struct LinearMachine {
+    pub(super) linear: Linear,
+    pub(super) equations: Arc<Equations>,
+    pub(super) tape: Arc<Tape>,
+    pub(super) evaluator: Evaluator,
+    pub(super) inputs: Inputs,
+    pub(super) names: Vec<Quantity>,
+    pub(super) parameters: Vec<Quantity>,
+    pub(super) values: Vec<f64>,
+    /// Waveforms of [`Linear::forms`], with their rates as a tape.
+    pub(super) shapes: Vec<Shape>,
+    /// Rest with connections, made when it is first asked for.
+    pub(super) near: Option<Box<Near>>,
+    /// Whether all conditions on rates restrain places, once that is known.
+    pub(super) placed: Option<bool>,
+}
+
+/// Forces below this share of the terms that add up to them are rounding: some dozens of roundings.
+const BALANCED: f64 = 64.0 * f64::EPSILON;
+
+/// Everything that the tape gives.
+struct Full {
+    matrices: Matrices,
+    remainders: Vec<f64>,
+    reach: Vec<f64>,
+}
+
+/// A solution of a square system with rows and columns of unlike units; of redundant rows one is as good as another. None where they contradict.
+fn scaled_solution(a: &[f64], right: &[f64], n: usize) -> Option<Vec<f64>> {
+    let largest = |i: usize, step: usize, from: &[f64]| (0..n).fold(0.0_f64, |m, j| m.max(from[i + j * step].abs()));
+    let unit = |v: f64| if v > 0.0 { v.recip() } else { 1.0 };
+    let mut scaled = a.to_vec();
+    let (mut rows, mut columns) = (vec![1.0; n], vec![1.0; n]);
+    // a few rounds bring both to size one
+    for _ in 0..8 {
+        for i in 0..n {
+            let f = unit(largest(i * n, 1, &scaled).sqrt());
+            rows[i] *= f;
+            scaled[i * n..(i + 1) * n].iter_mut().for_each(|v| *v *= f);
+        }
+        for j in 0..n {
+            let f = unit(largest(j, n, &scaled).sqrt());
+            columns[j] *= f;
+            (0..n).for_each(|i| scaled[i * n + j] *= f);
+        }
+    }
+    let b: Vec<f64> = right.iter().zip(&rows).map(|(v, f)| v * f).collect();
+    let (x, residual) = qr::Qr::alike(&scaled, n, n, qr::DEPENDENT).least_squares(&b);
+    let size = b.iter().chain(&x).fold(0.0_f64, |m, v| m.max(v.abs()));
+    // an acceleration that is rounding only would couple motions that are free of each other
+    let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let x: Vec<f64> = x.iter().map(|v| if v.abs() <= 1e-13 * largest { 0.0 } else { *v }).collect();
+    (residual <= 1e-9 * size).then(|| x.iter().zip(&columns).map(|(v, f)| v * f).collect())
+}
+
+/// A place of linearisation: q and, about a motion, q' and q''.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Place {
+    /// q.
+    pub q: Vec<f64>,
+    /// q'; zeros at rest.
+    pub rates: Vec<f64>,
+    /// q''; zeros at rest.
+    pub accelerations: Vec<f64>,
+    /// λ of the ideal connections.
+    pub multipliers: Vec<f64>,
+}
+
+impl Place {
+    /// At rest, without reactions.
+    pub fn rest(q: &[f64]) -> Place {
+        Place { q: q.to_vec(), rates: vec![0.0; q.len()], accelerations: vec![0.0; q.len()], multipliers: Vec::new() }
+    }
+    fn states(&self) -> Vec<f64> {
+        self.q.iter().chain(&self.rates).chain(&self.multipliers).copied().collect()
+    }
+}
+
+impl LinearMachine {
+    /// Linearises equations of motion; parameters have the values of the model.
+    ///
+    /// *Errors*: formulas outside their domain for the parameters.
+    pub fn new(equations: &Arc<Equations>, about: About) -> Result<LinearMachine, Fault> {
+        let mut linear = Linear::new(equations, about);
+        let symbols = |k: usize| linear.coordinates.iter().map(move |c| c[k]);
+        let inputs = Inputs {
+            parameters: equations.parameters.iter().map(|p| p.symbol).collect(),
+            states: symbols(0)
+                .chain(symbols(1))
+                .chain(linear.multipliers.iter().copied())
+                .chain(linear.forms.iter().map(|f| f.mean))
+                .collect(),
+            accelerations: symbols(2).collect(),
+            definitions: linear.definitions.clone(),
+            ..Inputs::default()
+        };
+        let tape = Arc::new(lower::expressions(&linear.graph, "linear", &inputs, &roots(&linear))?);
+        let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        let shapes = shapes(&mut linear, &inputs, &values)?;
+        let quantity = |symbol: SymbolId, unit: &str, label: &Text| {
+            let name = &equations.graph.symbol_info(symbol).name;
+            Quantity { label: label.clone(), symbol: notation(equations, name), ..Quantity::new(name, unit) }
+        };
+        Ok(LinearMachine {
+            evaluator: Evaluator::new(&tape, &values)?,
+            names: equations.coordinates.iter().map(|c| quantity(c.symbols[0], &c.unit, &c.label)).collect(),
+            parameters: equations.parameters.iter().map(|p| quantity(p.symbol, &p.unit, &p.label)).collect(),
+            equations: Arc::clone(equations),
+            tape,
+            inputs,
+            values,
+            linear,
+            shapes,
+            near: None,
+            placed: None,
+        })
+    }
+
+    /// The expressions.
+    pub fn linear(&self) -> &Linear {
+        &self.linear
+    }
+    /// The equations that were linearised.
+    pub fn equations(&self) -> &Arc<Equations> {
+        &self.equations
+    }
+    /// How time was treated.
+    pub fn timing(&self) -> Timing {
+        self.linear.timing
+    }
+    /// The coordinates.
+    pub fn coordinates(&self) -> &[Quantity] {
+        &self.names
+    }
+    /// The parameters.
+    pub fn parameters(&self) -> &[Quantity] {
+        &self.parameters
+    }
+    /// The number of a parameter now.
+    pub fn value(&self, parameter: usize) -> f64 {
+        self.values[parameter]
+    }
+    /// The position of a parameter by its name.
+    pub fn parameter(&self, name: &str) -> Option<usize> {
+        self.parameters.iter().position(|p| p.name == name)
+    }
+
+    /// Gives a parameter another number.
+    ///
+    /// *Errors*: a formula over parameters has no value for it.
+    pub fn set(&mut self, parameter: usize, value: f64) -> Result<(), Fault> {
+        self.values[parameter] = value;
+        self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+        for shape in self.shapes.iter_mut().filter(|s| s.parameters.contains(&parameter)) {
+            shape.bind(&self.values)?;
+        }
+        Ok(())
+    }
+
+    /// The numbers of all parameters.
+    pub fn numbers(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Gives all parameters other numbers.
+    ///
+    /// *Errors*: a formula over parameters has no value for them.
+    pub fn renumber(&mut self, values: &[f64]) -> Result<(), Fault> {
+        self.values = values.to_vec();
+        self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+        self.shapes.iter_mut().try_for_each(|shape| shape.bind(&self.values))
+    }
+
+    /// The waveforms of loads and observed quantities for the parameters as they are.
+    pub fn shapes(&self) -> &[Shape] {
+        &self.shapes
+    }
+
+    /// A waveform at phases, for the parameters as they are.
+    ///
+    /// *Errors*: no finite value there.
+    pub fn waveform(&self, form: usize, phases: &[f64]) -> Result<Vec<f64>, Fault> {
+        self.shapes[form].values(&self.values, phases)
+    }
+
+    /// Waveforms that came up since the last call.
+    pub(super) fn learn(&mut self) -> Result<(), Fault> {
+        let known = self.shapes.len();
+        self.inputs.states.extend(self.linear.forms[known..].iter().map(|f| f.mean));
+        self.inputs.definitions.clone_from(&self.linear.definitions);
+        let time = self.linear.time();
+        for i in known..self.linear.forms.len() {
+            let shape = self.linear.forms[i].wave.shape;
+            self.shapes.push(Shape::new(&mut self.linear.graph, shape, time, &self.inputs, &self.values)?);
+        }
+        Ok(())
+    }
+
+    /// Generalized forces (index of a coordinate, force) of the equations at rest over time, as a tape.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn over_time(&mut self, forces: &[(usize, Expr)]) -> Result<Values, Fault> {
+        let list = self.linear.over_time(forces);
+        let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("force {}", i + 1), *e)).collect();
+        let inputs = Inputs { time: Some(self.linear.time()), ..self.inputs.clone() };
+        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "forces", &inputs, &named)?)))
+    }
+
+    /// Their values at a place and at instants, for the parameters as they are.
+    ///
+    /// *Errors*: no finite value there.
+    pub fn values_over_time(&self, prepared: &Values, place: &Place, times: &[f64]) -> Result<Vec<Vec<f64>>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
+        let states = self.states(place);
+        let mut at = |time: f64| -> Result<Vec<f64>, Fault> {
+            Ok(evaluator.evaluate(&Point { time, states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+        };
+        times.iter().map(|t| at(*t)).collect()
+    }
+
+    /// The matrices at a place.
+    ///
+    /// *Errors*: an entry has no finite value there.
+    pub fn at(&mut self, place: &Place) -> Result<Matrices, Fault> {
+        self.full(place).map(|f| f.matrices)
+    }
+
+    fn full(&mut self, place: &Place) -> Result<Full, Fault> {
+        let n = self.names.len();
+        let (m, k) = (self.linear.conditions.len(), self.linear.multipliers.len());
+        let states = self.states(place);
+        let mut values =
+            self.evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec();
+        settle(&mut values[2 * n * n..3 * n * n], &self.evaluator.root_roundings()[2 * n * n..]);
+        let (mass, rest) = values.split_at(n * n);
+        let (damping, rest) = rest.split_at(n * n);
+        let (stiffness, rest) = rest.split_at(n * n);
+        let (force, rest) = rest.split_at(n);
+        let (_, rest) = rest.split_at(m);
+        let (jacobian, rest) = rest.split_at(m * n);
+        let (drift, rest) = rest.split_at(m * n);
+        let (remainders, rest) = rest.split_at(self.linear.remainders.len());
+        let (reach, rest) = rest.split_at(n * k);
+        let (loads, shaped) = rest.split_at((2 * n + 1) * self.linear.loads.len());
+        let shaped = self.linear.shaped.iter().zip(shaped.chunks_exact(n.max(1))).map(|((form, _), f)| (*form, f.to_vec()));
+        let loads = loads.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
+        let matrices = Matrices {
+            n,
+            jacobian: jacobian.to_vec(),
+            drift: drift.to_vec(),
+            on_rates: self.linear.on_rates.clone(),
+            loads: loads.collect(),
+            shaped: shaped.collect(),
+            mass: mass.to_vec(),
+            damping: damping.to_vec(),
+            stiffness: stiffness.to_vec(),
+            force: force.to_vec(),
+        };
+        let mut full = Full { matrices, remainders: remainders.to_vec(), reach: reach.to_vec() };
+        if !self.on_rates_restrain(&full.matrices, &place.q)? {
+            return Ok(full);
+        }
+        (full.matrices.drift, full.matrices.on_rates) = (Vec::new(), Vec::new());
+        Ok(full)
+    }
+
+    /// Whether the conditions on rates restrain places like the others.
+    fn on_rates_restrain(&mut self, matrices: &Matrices, q: &[f64]) -> Result<bool, Fault> {
+        if !self.linear.on_rates.contains(&true) {
+            return Ok(true);
+        }
+        if matrices.drift.iter().any(|d| *d != 0.0) {
+            return Ok(false);
+        }
+        if self.placed.is_none() {
+            self.placed = Some(crate::rest::path::all_places(&self.equations, &self.values, q)?);
+        }
+        Ok(self.placed == Some(true))
+    }
+
+    /// q'' and λ of the motion with the place's q and q', from M q'' = h + R λ and J q'' = -remainder.
+    ///
+    /// *Errors*: S073 where they do not give them; an entry has no finite value.
+    pub fn moving(&mut self, place: &Place) -> Result<Place, Fault> {
+        let n = self.names.len();
+        let full = self.full(&Place { accelerations: vec![0.0; n], multipliers: Vec::new(), ..place.clone() })?;
+        let (m, k) = (full.remainders.len(), self.linear.multipliers.len());
+        let size = n + m.max(k);
+        if m != k {
+            return Err(driven());
+        }
+        let mut a = vec![0.0; size * size];
+        let mut right = vec![0.0; size];
+        let terms = self.force_terms(place)?;
+        for i in 0..n {
+            (0..n).for_each(|j| a[i * size + j] = full.matrices.mass[i * n + j]);
+            (0..k).for_each(|c| a[i * size + n + c] = -full.reach[i * k + c]);
+            let h = full.matrices.force[i];
+            right[i] = if h.abs() <= BALANCED * terms[i] { 0.0 } else { h };
+        }
+        for c in 0..m {
+            (0..n).for_each(|j| a[(n + c) * size + j] = full.matrices.jacobian[c * n + j]);
+            right[n + c] = -full.remainders[c];
+        }
+        let solved = scaled_solution(&a, &right, size).ok_or_else(|| undetermined(&place.q))?;
+        Ok(Place { accelerations: solved[..n].to_vec(), multipliers: solved[n..].to_vec(), ..place.clone() })
+    }
+
+    /// q'' of the motion with the place's q and q' where nothing connects, from M q'' = h.
+    ///
+    /// An acceleration below what `BALANCED` of the terms of h, and of M q'', make of it through M⁻¹ is zero: in a steady motion (relative equilibrium)
+    /// large terms cancel, and their rounding must not enter C by ∂(M q'')/∂q. None where M is singular.
+    ///
+    /// *Errors*: an entry has no finite value.
+    pub fn steady(&mut self, place: &Place) -> Result<Option<Vec<f64>>, Fault> {
+        let n = self.names.len();
+        let Matrices { mass, force, .. } = self.at(place)?;
+        let lu = Lu::new(&mass, n);
+        let Some(mut found) = lu.solve(&force) else { return Ok(None) };
+        let inertia = |i: usize| (0..n).map(|j| (mass[i * n + j] * found[j]).abs()).sum::<f64>();
+        let doubt: Vec<f64> = self.force_terms(place)?.iter().enumerate().map(|(i, t)| BALANCED * (t + inertia(i))).collect();
+        let mut spread = vec![0.0; n];
+        for (k, d) in doubt.iter().enumerate() {
+            let unit: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == k))).collect();
+            let column = lu.solve(&unit).unwrap_or_default();
+            spread.iter_mut().zip(column).for_each(|(s, c)| *s += (c * d).abs());
+        }
+        found.iter_mut().zip(spread).filter(|(a, s)| a.abs() <= *s).for_each(|(a, _)| *a = 0.0);
+        Ok(Some(found))
+    }
+
+    /// The size of the terms that add up to each mean force at a place: Σ |∂h/∂p p| over parameters, coordinates and rates; a rounding of any of them
+    /// changes h by ε of it.
+    ///
+    /// *Errors*: an entry has no finite value.
+    fn force_terms(&mut self, place: &Place) -> Result<Vec<f64>, Fault> {
+        let n = self.names.len();
+        let place = Place { accelerations: vec![0.0; n], multipliers: Vec::new(), ..place.clone() };
+        let Matrices { damping, stiffness, .. } = self.at(&place)?;
+        let by_state =
+            |i: usize| (0..n).map(|j| (stiffness[i * n + j] * place.q[j]).abs() + (damping[i * n + j] * place.rates[j]).abs()).sum::<f64>();
+        let mut terms: Vec<f64> = (0..n).map(by_state).collect();
+        let all: Vec<usize> = (0..self.parameters.len()).collect();
+        let prepared = self.forces_by(&all)?;
+        // a parameter at the end of its domain has no derivative and no part in this
+        let Ok(values) = self.values(&prepared, &place) else { return Ok(terms) };
+        for (p, row) in values[n..].chunks(n.max(1)).take(all.len()).enumerate() {
+            terms.iter_mut().zip(row).for_each(|(t, d)| *t += (d * self.values[p]).abs());
+        }
+        Ok(terms)
+    }
+
+    /// States of a tape; reactions that are not known count as zero.
+    pub(super) fn states(&self, place: &Place) -> Vec<f64> {
+        let mut states = place.states();
+        states.resize(2 * self.names.len() + self.linear.multipliers.len(), 0.0);
+        states.extend(self.shapes.iter().map(|s| s.wave.mean));
+        states
+    }
+
+    /// A place of rest near q, with the reactions that balance it.
+    ///
+    /// *Errors*: S007 when Newton's method finds none; S035 where a prescribed motion holds a coordinate.
+    pub fn settle(&mut self, q: &[f64]) -> Result<Place, Fault> {
+        if self.linear.conditions.is_empty() {
+            return Ok(Place::rest(&rest_near(self, q)?));
+        }
+        if self.linear.multipliers.len() != self.linear.conditions.len() {
+            return Err(driven());
+        }
+        let mut near = match self.near.take() {
+            Some(near) => near,
+            None => Box::new(Near::new(&self.equations)?),
+        };
+        let found = near.settle(&self.values, q);
+        self.near = Some(near);
+        let (q, reactions) = found?;
+        let of = |symbol: &SymbolId| reactions.iter().find(|(s, _)| s == symbol).map_or(0.0, |r| r.1);
+        Ok(Place { multipliers: self.linear.multipliers.iter().map(of).collect(), ..Place::rest(&q) })
+    }
+
+    /// Whether M, B and C are the same in every place, so that small motions need no equilibrium.
+    pub fn same_everywhere(&self) -> bool {
+        let linear = &self.linear;
+        let place = |s: SymbolId| linear.coordinates.iter().any(|c| c[0] == s);
+        let entries = linear.mass.entries().iter().chain(linear.damping.entries()).chain(linear.stiffness.entries());
+        linear.conditions.is_empty() && entries.copied().all(|e| !linear.graph.contains(e, place))
+    }
+
+    /// Whether the equations are anything but linear in coordinates, rates and accelerations.
+    pub fn bends(&self) -> bool {
+        !self.same_everywhere() || self.linear.timing.bent
+    }
+
+    /// Whether M, B, C, the mean forces or the conditions depend on a parameter, directly or through definitions and waveforms.
+    pub fn depends_on(&self, parameter: usize) -> bool {
+        let linear = &self.linear;
+        let mut known = vec![self.equations.parameters[parameter].symbol];
+        let on = |known: &[SymbolId], e: Expr| linear.graph.contains(e, |s| known.contains(&s));
+        for (symbol, formula) in &linear.definitions {
+            if on(&known, *formula) {
+                known.push(*symbol);
+            }
+        }
+        let squares = [&linear.mass, &linear.damping, &linear.stiffness, &linear.jacobian, &linear.drift, &linear.reach];
+        let lists = [&linear.force, &linear.conditions, &linear.remainders];
+        let mut all = squares.into_iter().flat_map(|m| m.entries()).chain(lists.into_iter().flatten());
+        self.shapes.iter().any(|s| s.parameters.contains(&parameter)) || all.any(|e| on(&known, *e))
+    }
+
+    /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values_of(&self, list: &[Expr], place: &Place) -> Result<Vec<f64>, Fault> {
+        self.values(&self.prepare(list)?, place)
+    }
+
+    /// Expressions of [`Linear::graph`] as a tape, to be evaluated often.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn prepare(&self, list: &[Expr]) -> Result<Values, Fault> {
+        let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("value {}", i + 1), *e)).collect();
+        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "values", &self.inputs, &named)?)))
+    }
+
+    /// The values of prepared expressions.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values(&self, prepared: &Values, place: &Place) -> Result<Vec<f64>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
+        let states = self.states(place);
+        Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+    }
+
+    /// The values of prepared expressions in many places.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values_at(&self, prepared: &Values, places: &[Place]) -> Result<Vec<Vec<f64>>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
+        let one = |place: &Place| -> Result<Vec<f64>, Fault> {
+            let states = self.states(place);
+            Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+        };
+        places.iter().map(one).collect()
+    }
+
+    /// The mean forces, their derivatives by parameters (parameter by parameter), and the reach of the reactions, as prepared expressions.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn forces_by(&mut self, parameters: &[usize]) -> Result<Values, Fault> {
+        let linear = &mut self.linear;
+        let mut seeds: Vec<Vec<(SymbolId, Expr)>> = Vec::new();
+        for p in parameters {
+            // definitions are functions of the parameter too, earlier ones first
+            let mut known = vec![(self.equations.parameters[*p].symbol, linear.graph.one())];
+            for (symbol, formula) in &linear.definitions {
+                let inner = Derivation::new(known.iter().copied()).apply(&mut linear.graph, *formula);
+                if !linear.graph.is_zero(inner) {
+                    known.push((*symbol, inner));
+                }
+            }
+            seeds.push(known);
+        }
+        let mut list = linear.force.clone();
+        for known in seeds {
+            let mut derivation = Derivation::new(known);
+            for force in &linear.force {
+                list.push(derivation.apply(&mut linear.graph, *force));
+            }
+        }
+        list.extend(linear.reach.entries().iter().copied());
+        self.prepare(&list)
+    }
+
+    /// A zero of [`Linear::graph`] for each coordinate.
+    pub fn zeros(&mut self) -> Vec<Expr> {
+        let zero = self.linear.graph.zero();
+        vec![zero; self.names.len()]
+    }
+
+    /// The harmonics of generalized forces (by coordinate) of the equations that were linearised; none when they are not harmonic.
+    ///
+    /// *Errors*: a formula without a value somewhere in the period.
+    pub fn harmonics_of(&mut self, forces: &[(usize, Expr)]) -> Result<Option<Loads>, Fault> {
+        let found = self.linear.harmonics_of(&self.equations, forces);
+        self.learn()?;
+        Ok(found)
+    }
+}
+
+/// Prepared expressions.
+#[derive(Clone, Debug)]
+pub struct Values(pub(super) Arc<Tape>);
+
+fn shapes(linear: &mut Linear, inputs: &Inputs, values: &[f64]) -> Result<Vec<Shape>, Fault> {
+    let time = linear.time();
+    linear.forms.clone().iter().map(|f| Shape::new(&mut linear.graph, f.wave.shape, time, inputs, values)).collect()
+}
+
+fn roots(linear: &Linear) -> Vec<(String, Expr)> {
+    let mut roots: Vec<(String, Expr)> = Vec::new();
+    let mut push = |name: &str, list: &[Expr]| roots.extend(list.iter().enumerate().map(|(i, e)| (format!("{name} {}", i + 1), *e)));
+    push("M", linear.mass.entries());
+    push("B", linear.damping.entries());
+    push("C", linear.stiffness.entries());
+    push("force", &linear.force);
+    push("condition", &linear.conditions);
+    push("J", linear.jacobian.entries());
+    push("drift", linear.drift.entries());
+    push("remainder", &linear.remainders);
+    push("reach", linear.reach.entries());
+    for load in &linear.loads {
+        push("rate", &[load.rate]);
+        push("cos", &load.cos);
+        push("sin", &load.sin);
+    }
+    for (_, factors) in &linear.shaped {
+        push("factor", factors);
+    }
+    roots
+}
+
+/// Rest of a machine without connections; with them see [`crate::rest`].
+impl Statics for LinearMachine {
+    fn n_coordinates(&self) -> usize {
+        self.names.len()
+    }
+    fn name(&self, i: usize) -> &str {
+        &self.names[i].name
+    }
+    /// The mean force at rest and its derivatives.
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        let found = self.full(&Place::rest(&x[..self.names.len()]))?;
+        forces.copy_from_slice(&found.matrices.force);
+        derivatives.iter_mut().zip(&found.matrices.stiffness).for_each(|(d, c)| *d = -c);
+        Ok(())
+    }
+}
+
+/// S092.
+fn undetermined(q: &[f64]) -> Fault {
+    let at = q.iter().map(|v| words::digits::number(*v)).fold((String::new(), String::new()), |(en, ru), v| {
+        let gap = if en.is_empty() { "" } else { "; " };
+        (format!("{en}{gap}{}", v.en), format!("{ru}{gap}{}", v.ru))
+    });
+    let why = (
+        format!("no accelerations and reactions satisfy the equations there (q = {})", at.0),
+        format!("никакие ускорения и реакции не удовлетворяют там уравнениям (q = {})", at.1),
+    );
+    crate::fault::small::refused(Text::new(why.0, why.1))
+}
+
+/// S035.
+pub fn driven() -> Fault {
+    Fault::new(Message {
+        code: "S035",
+        what: Text::new("a prescribed motion holds a coordinate", "заданное движение удерживает координату"),
+        why: Text::new(
+            "small motions are looked for about a state of rest, which a drive with an unknown force does not leave",
+            "малые движения ищутся около состояния покоя, а привод с неизвестной силой его не допускает",
+        ),
+        help: Text::new(
+            "write the prescribed motion as a formula of t in place of the coordinate",
+            "запишите заданное движение формулой от t вместо координаты",
+        ),
+    })
+}
+
+impl Fault {
+    /// A load, output or parameter that the model does not have.
+    pub fn unknown(what: Text, names: &[String]) -> Fault {
+        let list = names.join(", ");
+        Fault::new(Message {
+            code: "S030",
+            what,
+            why: Text::new(format!("the model offers: {list}"), format!("в модели есть: {list}")),
+            help: Text::new("correct the name", "исправьте имя"),
+        })
+    }
+}

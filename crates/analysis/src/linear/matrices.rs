@@ -1,0 +1,126 @@
+//! The matrices of small motions.
+
+use algebra::qr;
+
+/// The matrices of small motions, row-major n x n, SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Matrices {
+    /// Number of coordinates.
+    pub n: usize,
+    /// M, symmetric.
+    pub mass: Vec<f64>,
+    /// B; its antisymmetric part is gyroscopic.
+    pub damping: Vec<f64>,
+    /// C; its antisymmetric part is circulatory.
+    pub stiffness: Vec<f64>,
+    /// Mean force at the state: zero at an equilibrium.
+    pub force: Vec<f64>,
+    /// Harmonic loads.
+    pub loads: Vec<Harmonic>,
+    /// Loads of other waveforms: index of the form, factor on each coordinate.
+    pub shaped: Vec<(usize, Vec<f64>)>,
+    /// Conditions J δq = 0 of connections, row-major; empty without.
+    pub jacobian: Vec<f64>,
+    /// Where conditions on rates restrain no places: D of J δq' + D δq = 0, row by row as `jacobian`. Empty where all conditions
+    /// restrain places.
+    pub drift: Vec<f64>,
+    /// Which rows are such conditions; as long as `drift` has rows.
+    pub on_rates: Vec<bool>,
+}
+
+/// A harmonic load: c cos ν t + s sin ν t on each coordinate.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Harmonic {
+    /// ν, rad/s.
+    pub rate: f64,
+    /// c.
+    pub cos: Vec<f64>,
+    /// s.
+    pub sin: Vec<f64>,
+}
+
+/// Sums of two products of n terms that cancel to this share of their terms are rounding.
+const CANCELLED: f64 = 256.0 * f64::EPSILON;
+
+/// Rounding of stiffnesses is small beside the largest of them; a bound beyond this share of it says nothing.
+const ROUNDING: f64 = 1e-12;
+
+/// Stiffnesses of which cancellation left only rounding (ropes that lie straight) are zero: they would be oscillations of years.
+pub(super) fn settle(stiffness: &mut [f64], bounds: &[f64]) {
+    let largest = stiffness.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    for (value, bound) in stiffness.iter_mut().zip(bounds) {
+        if value.abs() <= bound.min(ROUNDING * largest) {
+            *value = 0.0;
+        }
+    }
+}
+
+/// Σ |z_ia a_ij z_jb|, row-major k x k.
+fn absolute(a: &[f64], z: &[f64], k: usize) -> Vec<f64> {
+    let n = z.len() / k.max(1);
+    let az: Vec<f64> = (0..n * k).map(|p| (0..n).map(|j| (a[(p / k) * n + j] * z[j * k + p % k]).abs()).sum()).collect();
+    (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k].abs() * az[i * k + p % k]).sum()).collect()
+}
+
+impl Matrices {
+    /// The same in coordinates y with q = Z y: Zᵀ M Z and so on; `z` is row-major n x k. For constraints Z is an orthonormal basis of the
+    /// motions they allow. Stiffness and resistance of which the sums leave only rounding are zero: a free motion along a condition stays one.
+    pub fn reduced(&self, z: &[f64], k: usize) -> Matrices {
+        let n = self.n;
+        let square = |a: &[f64]| -> Vec<f64> {
+            let az: Vec<f64> = (0..n * k).map(|p| (0..n).map(|j| a[(p / k) * n + j] * z[j * k + p % k]).sum()).collect();
+            (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k] * az[i * k + p % k]).sum()).collect()
+        };
+        let settled = |a: &[f64]| -> Vec<f64> {
+            let (sums, terms) = (square(a), absolute(a, z, k));
+            sums.iter().zip(terms).map(|(v, t)| if v.abs() <= CANCELLED * t { 0.0 } else { *v }).collect()
+        };
+        let vector = |v: &[f64]| -> Vec<f64> { (0..k).map(|c| (0..n).map(|i| z[i * k + c] * v[i]).sum()).collect() };
+        Matrices {
+            n: k,
+            mass: square(&self.mass),
+            damping: settled(&self.damping),
+            stiffness: settled(&self.stiffness),
+            force: vector(&self.force),
+            loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
+            shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
+            jacobian: Vec::new(),
+            drift: Vec::new(),
+            on_rates: Vec::new(),
+        }
+    }
+
+    /// A basis of the motions that the conditions allow, row-major n x k, with k; none without conditions.
+    pub fn allowed(&self) -> Option<(Vec<f64>, usize)> {
+        let n = self.n;
+        if self.jacobian.is_empty() || n == 0 {
+            return None;
+        }
+        let size = |row: &[f64]| row.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let scaled: Vec<f64> = self.jacobian.chunks(n).filter(|r| size(r) > 0.0).flat_map(|r| r.iter().map(move |v| v / size(r))).collect();
+        let directions = qr::null_space(&scaled, scaled.len() / n, n);
+        let k = directions.len();
+        let mut z = vec![0.0; n * k];
+        for (c, direction) in directions.iter().enumerate() {
+            direction.iter().enumerate().for_each(|(i, v)| z[i * k + c] = *v);
+        }
+        Some((z, k))
+    }
+
+    /// The same with the stiffness of constraint forces added: C + Σ λ_k ∂²c_k/∂q², row-major n x n.
+    pub fn with_geometric(mut self, term: &[f64]) -> Matrices {
+        self.stiffness.iter_mut().zip(term).for_each(|(c, g)| *c += g);
+        self
+    }
+}
+
+/// (A + Aᵀ)/2 and (A - Aᵀ)/2 of a row-major square matrix.
+pub fn parts(a: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
+    let turned = |p: usize| a[(p % n) * n + p / n];
+    ((0..n * n).map(|p| 0.5 * (a[p] + turned(p))).collect(), (0..n * n).map(|p| 0.5 * (a[p] - turned(p))).collect())
+}
+
+/// Largest absolute entry.
+pub fn largest(a: &[f64]) -> f64 {
+    a.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}

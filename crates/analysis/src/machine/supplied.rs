@@ -1,0 +1,69 @@
+//! Energies, their rate and what supplies it, part by part.
+
+use program::Point;
+
+use super::flows::{part, reaction, roots};
+use super::{Machine, Switches};
+use crate::Mode;
+use crate::system::Supply;
+
+impl Machine {
+    /// See [`crate::System::supply`].
+    pub(super) fn supply_with(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
+        self.observing.set(modes, &self.bound);
+        let open = |guard: &Option<usize>| guard.is_some_and(|g| modes.get(g) == Some(&Mode::Positive));
+        if self.flows.reads.iter().all(open) {
+            let n = self.bound.program().coordinates;
+            self.accelerations[..n].copy_from_slice(&accelerations[..n]);
+            self.accelerations[n..].fill(0.0);
+        } else {
+            self.take_accelerations(t, x, accelerations).ok()?;
+        }
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        let [loads, drives, dissipated] = *self.flows.supply.evaluate(&point).ok()? else { return None };
+        Some(Supply { loads, drives, dissipated })
+    }
+
+    /// See [`crate::System::energy_rate`].
+    pub(super) fn rate_with(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<f64> {
+        self.observing.set(modes, &self.bound);
+        if self.flows.rate.is_none() {
+            self.flows.rate = part(&self.bound, &roots(&["rate"])).ok();
+        }
+        let n = self.bound.program().coordinates;
+        let reads = self.flows.rate.as_ref()?.tape().body.iter().any(|i| reaction(&i.operation, n).is_some());
+        if reads {
+            self.take_accelerations(t, x, accelerations).ok()?;
+        } else {
+            self.accelerations[..n].copy_from_slice(&accelerations[..n]);
+            self.accelerations[n..].fill(0.0);
+        }
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        self.flows.rate.as_mut()?.evaluate(&point).ok()?.first().copied()
+    }
+
+    /// See [`crate::System::energies`].
+    pub(super) fn levels(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        self.observing.set(modes, &self.bound);
+        // they read no accelerations
+        self.accelerations.fill(0.0);
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        let [kinetic, potential] = *self.flows.levels.evaluate(&point).ok()? else { return None };
+        (kinetic.is_finite() && potential.is_finite()).then_some([kinetic, potential])
+    }
+
+    /// See [`crate::System::frictions`].
+    pub(super) fn rubbed(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Option<f64>>> {
+        self.observing.set(modes, &self.bound);
+        self.look_up_forces(t, x).ok()?;
+        self.accelerations.iter_mut().filter(|r| r.is_nan()).for_each(|r| *r = 0.0);
+        let Switches { modes: own, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(own), active: Some(active) };
+        let powers = self.flows.rubbed.evaluate(&point).ok()?;
+        let slides = |guard: &Option<usize>| guard.is_none_or(|g| modes.get(g) != Some(&Mode::Zero));
+        Some(self.rubbing.iter().zip(powers).map(|(guard, power)| slides(guard).then_some(*power)).collect())
+    }
+}

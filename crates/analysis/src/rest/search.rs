@@ -1,0 +1,295 @@
+//! The search for rest without connections: h(q, 0, s, 0) = 0 by damped Newton from guesses.
+
+use words::{Message, Text};
+
+use crate::peaks;
+use crate::{Fault, System};
+use algebra::cholesky::positive_definite;
+use algebra::lu::Lu;
+use algebra::qr::{DEPENDENT, Qr};
+use words::digits::rounded;
+
+/// What the search for rest asks of a machine.
+pub trait Statics {
+    /// Number n of coordinates, the first components of x.
+    fn n_coordinates(&self) -> usize;
+    /// Name of coordinate `i`.
+    fn name(&self, i: usize) -> &str;
+    /// Generalized forces of rest, length n, and their derivatives by the coordinates, row i = force i.
+    ///
+    /// *Errors*: undefined there.
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault>;
+}
+
+impl<S: System + ?Sized> Statics for S {
+    fn n_coordinates(&self) -> usize {
+        System::n_coordinates(self)
+    }
+    fn name(&self, i: usize) -> &str {
+        &self.states()[i].name
+    }
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        System::statics(self, x, forces, derivatives)
+    }
+}
+
+/// A state of rest near `start` (the coordinates come first), also one that is not isolated.
+///
+/// *Errors*: S007 when Newton's method finds none.
+pub fn rest_near<S: Statics + ?Sized>(machine: &mut S, start: &[f64]) -> Result<Vec<f64>, Fault> {
+    let n = machine.n_coordinates();
+    let mut search =
+        Search { system: machine, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: true, beside: true };
+    search.from(start.to_vec()).map(|rest| rest.q)
+}
+
+/// Options of the study.
+#[derive(Clone, Debug, Default)]
+pub struct Equilibrium {
+    /// Coordinates to begin from, besides the start values; n each.
+    pub guesses: Vec<Vec<f64>>,
+    /// Find all equilibria with this coordinate between these values.
+    pub over: Option<Range>,
+    /// Of these only those in which these dry frictions (by reaction) are about to slide, forward (1) or backward (-1).
+    pub impending: Vec<(usize, f64)>,
+}
+
+/// A coordinate and its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Least value.
+    pub from: f64,
+    /// Largest value.
+    pub to: f64,
+}
+
+/// Values of the only coordinate at which the sign of its force is looked at.
+const SAMPLES: usize = 4000;
+
+/// Guesses along a range when there are other coordinates.
+const GUESSES: usize = 97;
+
+/// Steps of Newton's method from one guess.
+const STEPS: usize = 200;
+
+/// Forces relative to the terms that balance in them, estimated by the stiffness times the coordinates.
+pub(crate) const RESIDUAL: f64 = 1e-10;
+
+pub(crate) fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
+    let (a, b) = (rounded(from), rounded(to));
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new(
+            format!("no equilibrium with `{name}` between {} and {}", a.en, b.en),
+            format!("при `{name}` от {} до {} положений равновесия нет", a.ru, b.ru),
+        ),
+        why: Text::new("the force along the coordinate keeps its sign there", "сила по координате там не меняет знака"),
+        help: Text::new("widen the range, or check the loads", "расширьте диапазон или проверьте нагрузки"),
+    })
+}
+
+/// An equilibrium.
+pub(crate) struct Rest {
+    pub(crate) q: Vec<f64>,
+    pub(crate) residual: f64,
+    pub(crate) stable: Option<bool>,
+    pub(crate) symmetric: bool,
+}
+
+impl Rest {
+    pub(crate) fn is(&self, other: &Rest) -> bool {
+        self.q.iter().zip(&other.q).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())))
+    }
+}
+
+pub(crate) struct Search<'s, S: ?Sized> {
+    pub(crate) system: &'s mut S,
+    pub(crate) n: usize,
+    pub(crate) forces: Vec<f64>,
+    pub(crate) jacobian: Vec<f64>,
+    pub(crate) steps: usize,
+    /// Whether an equilibrium that is not isolated is an answer.
+    pub(crate) neutral_is_found: bool,
+    /// Whether places beside a free motion are sought: along a range they would be as many as guesses.
+    pub(crate) beside: bool,
+}
+
+impl<S: Statics + ?Sized> Search<'_, S> {
+    /// Newton's method with step halving on the residual measured in Newton's own metric (the length of the simplified correction), which does
+    /// not depend on the units of the forces. *Source*: P. Deuflhard, Newton Methods for Nonlinear Problems, 3.3.
+    pub(crate) fn from(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
+        self.evaluate(&x)?;
+        for _ in 0..STEPS {
+            self.steps += 1;
+            let lu = Lu::new(&self.jacobian, self.n);
+            let balanced = self.residual(&x) <= RESIDUAL;
+            let Some(correction) = lu.solve(&self.forces) else {
+                let held = self.beside && Qr::alike(&self.jacobian, self.n, self.n, DEPENDENT).rank() > 0;
+                if self.neutral_is_found || held {
+                    return self.free(x);
+                }
+                return Err(if balanced { self.neutral(&lu) } else { self.failed() });
+            };
+            let length = norm(&correction);
+            // otherwise the search ends when rounding lets no correction shrink any more
+            if length <= 4.0 * f64::EPSILON * norm(&x[..self.n]) {
+                return Ok(self.rest(x));
+            }
+            let before = self.forces.clone();
+            let mut share = 1.0_f64.min(LONGEST / length);
+            loop {
+                let mut next = x.clone();
+                next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= share * c);
+                let accepted =
+                    self.evaluate(&next).is_ok() && lu.solve(&self.forces).is_some_and(|c| norm(&c) <= (1.0 - 0.25 * share) * length);
+                if accepted {
+                    x = next;
+                    break;
+                }
+                share *= 0.5;
+                if share < 1e-8 {
+                    self.forces = before;
+                    self.evaluate(&x)?;
+                    return if balanced { Ok(self.rest(x)) } else { Err(self.failed()) };
+                }
+            }
+        }
+        Err(self.failed())
+    }
+
+    /// Guesses along a range: with one coordinate every change of sign of its force and every place where it nearly touches zero, with
+    /// more coordinates equidistant values, the others as they start.
+    pub(crate) fn along(&mut self, range: Range, start: &[f64]) -> Vec<Vec<f64>> {
+        let place = |value: f64| {
+            let mut q = start[..self.n].to_vec();
+            q[range.coordinate] = value;
+            q
+        };
+        let value = |k: usize, count: usize| range.from + (range.to - range.from) * k as f64 / count as f64;
+        if self.n > 1 {
+            return (0..=GUESSES).map(|k| place(value(k, GUESSES))).collect();
+        }
+        let mut rest = start.to_vec();
+        let rates = (2 * self.n).min(rest.len());
+        rest[self.n..rates].fill(0.0);
+        let mut force = |at: f64| {
+            rest[0] = at;
+            self.evaluate(&rest).map_or(f64::NAN, |()| self.forces[0])
+        };
+        let forces: Vec<f64> = (0..=SAMPLES).map(|k| force(value(k, SAMPLES))).collect();
+        let largest = forces.iter().filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
+        let mut found = vec![place_of(range.from), place_of(range.to)];
+        for k in 1..=SAMPLES {
+            let [a, b] = [forces[k - 1], forces[k]];
+            if a * b < 0.0 || b == 0.0 {
+                found.push(place_of(peaks::zero(&mut force, value(k - 1, SAMPLES), value(k, SAMPLES))));
+            }
+            // a force that touches zero without changing its sign
+            if k < SAMPLES && b.abs() <= a.abs() && b.abs() <= forces[k + 1].abs() && b.abs() <= 1e-5 * largest {
+                found.push(place_of(value(k, SAMPLES)));
+            }
+        }
+        found
+    }
+
+    /// Newton's method where some motion is free: the free directions stay where they are.
+    fn free(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
+        let n = self.n;
+        let mut residual = self.residual(&x);
+        for _ in 0..STEPS {
+            if residual <= f64::EPSILON {
+                break;
+            }
+            let (correction, _) = Qr::alike(&self.jacobian, n, n, DEPENDENT).least_squares(&self.forces);
+            let mut next = x.clone();
+            next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= c);
+            self.evaluate(&next)?;
+            let after = self.residual(&next);
+            if after.is_nan() || after >= residual {
+                break;
+            }
+            (x, residual) = (next, after);
+        }
+        self.evaluate(&x)?;
+        if residual <= RESIDUAL { Ok(self.rest(x)) } else { Err(self.failed()) }
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
+        self.system.statics(x, &mut self.forces, &mut self.jacobian)?;
+        let finite = self.forces.iter().chain(&self.jacobian).all(|v| v.is_finite());
+        if finite { Ok(()) } else { Err(Fault::not_finite(&Text::new("force of rest", "сила в покое"), 0.0)) }
+    }
+
+    /// max |h_i| / sum_j |K_ij| max(|q_j|, 1).
+    fn residual(&self, x: &[f64]) -> f64 {
+        let n = self.n;
+        (0..n).fold(0.0, |worst: f64, i| {
+            let size: f64 = (0..n).map(|j| self.jacobian[i * n + j].abs() * x[j].abs().max(1.0)).sum();
+            let h = self.forces[i].abs();
+            worst.max(if h == 0.0 { 0.0 } else { h / size })
+        })
+    }
+
+    fn rest(&self, x: Vec<f64>) -> Rest {
+        let n = self.n;
+        let k = |i: usize, j: usize| -self.jacobian[i * n + j];
+        let symmetric = (0..n).all(|i| (0..i).all(|j| (k(i, j) - k(j, i)).abs() <= 1e-9 * (k(i, j).abs() + k(j, i).abs())));
+        let even: Vec<f64> = (0..n * n).map(|p| 0.5 * (k(p / n, p % n) + k(p % n, p / n))).collect();
+        Rest { residual: self.residual(&x), stable: positive_definite(&even, n), symmetric, q: x[..n].to_vec() }
+    }
+
+    fn neutral(&self, lu: &Lu) -> Fault {
+        let direction = lu.null_direction().unwrap_or_default();
+        let largest = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let names: Vec<&str> = (0..self.n).filter(|&i| direction[i].abs() > 1e-9 * largest).map(|i| self.system.name(i)).collect();
+        let names = names.join(", ");
+        Fault::new(Message {
+            code: "S008",
+            what: Text::new(
+                format!("neutral equilibrium: free motion along {names}"),
+                format!("безразличное равновесие: свободное движение по {names}"),
+            ),
+            why: Text::new(
+                "no force resists a small motion along these coordinates (a mechanism, or a machine that turns freely)",
+                "малому движению по этим координатам ничто не сопротивляется (механизм или свободно вращающаяся машина)",
+            ),
+            help: Text::new(
+                "add a spring or gravity that holds them, or fix the coordinate as a parameter",
+                "добавьте пружину или силу тяжести, удерживающую их, либо задайте координату параметром",
+            ),
+        })
+    }
+
+    fn failed(&self) -> Fault {
+        no_equilibrium()
+    }
+}
+
+/// No place of rest was found.
+pub fn no_equilibrium() -> Fault {
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new("no equilibrium found from this guess", "из этого приближения равновесие не найдено"),
+        why: Text::new(
+            "the forces do not vanish together near here, or the guess is far from the equilibrium",
+            "силы здесь не обращаются в нуль одновременно, или приближение далеко от равновесия",
+        ),
+        help: Text::new(
+            "give a `guess` nearer to the equilibrium; check that loads can be balanced",
+            "задайте `guess` ближе к равновесию; проверьте, могут ли нагрузки уравновеситься",
+        ),
+    })
+}
+
+/// Longest step of Newton's method, SI: a radian or a metre.
+const LONGEST: f64 = 1.0;
+
+fn place_of(value: f64) -> Vec<f64> {
+    vec![value]
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|a| a * a).sum::<f64>().sqrt()
+}

@@ -1,0 +1,32 @@
+//! A phase in closed form.
+
+use super::form::Form;
+use super::motion::Motion;
+use crate::{Mode, System};
+
+/// One phase of the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phase {
+    /// Start, s.
+    pub start: f64,
+    /// End, s.
+    pub end: f64,
+    /// The system within it.
+    pub form: Form,
+    /// Its motion over τ = t - start.
+    pub motion: Motion,
+    /// (q, q') at the start.
+    pub state_at_start: Vec<f64>,
+    /// (q, q') at the end.
+    pub state_at_end: Vec<f64>,
+}
+
+/// Scheduled switches as inside the phase, others by their values.
+pub(super) fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -> Vec<Mode> {
+    let inside = 0.5 * (phase.start + phase.end);
+    let count = system.guards().len();
+    let plain = || vec![Mode::Positive; count];
+    let (scheduled, own) = (system.modes_by_value(inside, x).unwrap_or_else(plain), system.modes_by_value(t, x).unwrap_or_else(plain));
+    let choose = |(guard, (s, o)): (&crate::Guard, (Mode, Mode))| if guard.scheduled.is_some() { s } else { o };
+    system.guards().iter().zip(scheduled.into_iter().zip(own)).map(choose).collect()
+}

@@ -1,0 +1,314 @@
+//! The written calculation: its outline is a golden text, its formulas name what cards of problems ask for, and nothing of one language stands in the other.
+//!
+//! `UPDATE_GOLDEN=1 cargo test -p strutt --test all reports` writes the outlines anew; look at what changed.
+
+use crate::common;
+
+use common::{folder, gallery, strutt};
+use report::{Block, Document};
+use std::path::PathBuf;
+use studies::{Source, Watch, pipeline};
+use words::Language;
+
+/// Models whose outlines are kept: every kind of chapter, and none that takes seconds.
+const MODELS: [&str; 9] = [
+    "oscillator",
+    "oscillator-linkage",
+    "manipulator",
+    "scotch-yoke",
+    "thread-pendulum",
+    "portal-frame",
+    "three-rod-frame",
+    "pendulum-on-shaft",
+    "gyroscopic-rotor",
+];
+
+fn document(name: &str, language: Language) -> Document {
+    let text = std::fs::read_to_string(gallery(name)).unwrap();
+    let source = Source::new(&format!("{name}.toml"), &text);
+    let calculation = pipeline::run(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{name} is a model"));
+    pipeline::report(&calculation, language)
+}
+
+/// Headings with what stands below each.
+fn outline(document: &Document) -> String {
+    let mut out = String::new();
+    let mut counts = [0usize; 4];
+    let close = |out: &mut String, counts: &mut [usize; 4]| {
+        if *counts != [0; 4] {
+            out.push_str(&format!("    formulas {} (numbered {}), tables {}, figures {}\n", counts[0], counts[1], counts[2], counts[3]));
+        }
+        *counts = [0; 4];
+    };
+    for block in &document.blocks {
+        match block {
+            Block::Heading { level, text } => {
+                close(&mut out, &mut counts);
+                out.push_str(&format!("{}{text}\n", "  ".repeat(usize::from(*level) - 1)));
+            }
+            Block::Equation { numbered, .. } => {
+                counts[0] += 1;
+                counts[1] += usize::from(*numbered);
+            }
+            Block::Table(_) => counts[2] += 1,
+            Block::Figure(_) | Block::Bands(_) | Block::Scheme(_) => counts[3] += 1,
+            _ => {}
+        }
+    }
+    close(&mut out, &mut counts);
+    out
+}
+
+#[test]
+fn outlines_are_those_that_were_read() {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/reports.txt");
+    let mut written = String::new();
+    for name in MODELS {
+        for language in [Language::En, Language::Ru] {
+            written.push_str(&format!("# {name} {}\n{}\n", language.code(), outline(&document(name, language))));
+        }
+    }
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(&file, &written).unwrap();
+    }
+    let kept = std::fs::read_to_string(&file).unwrap_or_default();
+    for (a, b) in written.lines().zip(kept.lines()) {
+        assert_eq!(a, b, "UPDATE_GOLDEN=1 cargo test -p strutt --test all reports");
+    }
+    assert_eq!(written.lines().count(), kept.lines().count());
+}
+
+/// The text of a document with its formulas as text.
+fn text(document: &Document) -> String {
+    let mut out = String::new();
+    for block in &document.blocks {
+        match block {
+            Block::Heading { text, .. } => out.push_str(text),
+            Block::Paragraph(rich) => out.push_str(&rich.plain(document.language)),
+            Block::Equation { formula, .. } => out.push_str(&formula.text()),
+            Block::Table(table) => {
+                for row in &table.rows {
+                    for cell in row {
+                        match cell {
+                            report::Cell::Rich(rich) => out.push_str(&rich.plain(document.language)),
+                            report::Cell::Number(number) => out.push_str(number),
+                            _ => {}
+                        }
+                        out.push_str(" | ");
+                    }
+                    out.push('\n');
+                }
+            }
+            _ => {}
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// Spaces of any kind as one.
+fn spaced(text: &str) -> String {
+    text.split(|c: char| c.is_whitespace()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn quantities_stand_with_formula_substitution_and_value() {
+    let russian = spaced(&text(&document("oscillator", Language::Ru)));
+    for line in ["b = 4 μ l² = 4·40·0,3² = 14,4 Н·м·с", "n = b/(2 a) = 14,4/(2·0,72) = 10 1/с", "k = √(c/a) = √(72/0,72) = 10 1/с"]
+    {
+        assert!(russian.contains(line), "{line}\n{russian}");
+    }
+}
+
+#[test]
+fn a_machine_of_one_freedom_has_its_equation_with_reduced_inertia() {
+    let english = spaced(&text(&document("scotch-yoke", Language::En)));
+    // the truth of the problem's card: J = 2.299608 + 0.126 cos² φ₁, the weight of 31 kg and not of 35
+    assert!(english.contains("J(φ₁) = 2.29961 + 0.126 cos² φ₁, kg·m²"), "{english}");
+    assert!(english.contains("reduced moment of inertia"));
+}
+
+#[test]
+fn tables_and_figures_are_mentioned_before_they_come() {
+    for name in ["manipulator", "thread-pendulum"] {
+        let document = document(name, Language::Ru);
+        let (mut tables, mut figures, mut said) = (0, 0, String::new());
+        for block in &document.blocks {
+            match block {
+                Block::Paragraph(rich) => said = rich.plain(Language::Ru),
+                Block::Table(_) => {
+                    tables += 1;
+                    assert!(said.ends_with(&format!("см. таблицу\u{a0}{tables}.")), "{name}: {said}");
+                }
+                Block::Figure(_) | Block::Bands(_) | Block::Scheme(_) => {
+                    figures += 1;
+                    assert!(said.contains("рисун"), "{name}: {said}");
+                }
+                _ => {}
+            }
+        }
+        assert!(tables > 4 && figures > 1, "{name}");
+    }
+}
+
+#[test]
+fn the_command_writes_where_it_is_told_and_the_same_bytes_again() {
+    let here = folder("report-command");
+    let file = here.join("work.html");
+    for _ in 0..2 {
+        strutt().args(["report", &gallery("oscillator-linkage"), "--lang", "ru", "-q", "-o"]).arg(&file).assert().success();
+        let page = std::fs::read_to_string(&file).unwrap();
+        assert!(page.contains("<section class=\"front\">") && page.contains("Курсовая работа") && page.contains("class=\"contents\""));
+        let kept = here.join("first.html");
+        if kept.exists() {
+            assert_eq!(std::fs::read_to_string(&kept).unwrap(), page);
+        }
+        std::fs::write(kept, page).unwrap();
+    }
+    strutt().args(["report", &gallery("oscillator-linkage"), "--format", "latex", "-q", "--out"]).arg(&here).assert().success();
+    assert!(std::fs::read_to_string(here.join("report.tex")).unwrap().contains("\\begin{titlepage}"));
+    let refused = common::stderr(
+        strutt().args(["report", &gallery("oscillator-linkage"), "--format", "markdown", "--pdf", "-q", "--out"]).arg(&here),
+        2,
+    );
+    assert!(refused.contains("C061"), "{refused}");
+}
+
+#[test]
+fn formats_without_pages_are_refused_with_those_that_have_them() {
+    for arguments in [&["--format", "text"][..], &["--format", "csv"], &["--format", "json"], &["--json"], &["--csv"]] {
+        // what a program asked for, a program is told on stdout
+        let output = strutt().args(["report", &gallery("oscillator")]).args(arguments).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let refused = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(refused.contains("C073") && refused.contains("html") && refused.contains("latex"), "{arguments:?}: {refused}");
+    }
+}
+
+/// Names of elements and connections in a file: `spiral` of `[springs.spiral]`.
+fn keys(text: &str) -> Vec<String> {
+    const TABLES: [&str; 12] = [
+        "springs",
+        "dampers",
+        "forces",
+        "torques",
+        "dissipations",
+        "potentials",
+        "frictions",
+        "stops",
+        "motions",
+        "motors",
+        "racks",
+        "ropes",
+    ];
+    let named = text.lines().filter_map(|line| line.strip_prefix('[')?.split(']').next()?.split_once('.'));
+    named.filter(|(table, _)| TABLES.contains(table)).map(|(_, name)| name.to_owned()).collect()
+}
+
+#[test]
+fn a_russian_calculation_calls_nothing_by_an_english_key() {
+    for name in ["oscillator", "oscillator-linkage", "manipulator", "scotch-yoke", "pendulum-on-shaft", "stick-slip", "crank-hoist"] {
+        let keys = keys(&std::fs::read_to_string(gallery(name)).unwrap());
+        let text = text(&document(name, Language::Ru));
+        let words: Vec<&str> = text.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();
+        for key in keys.iter().filter(|key| key.chars().count() > 2) {
+            assert!(!words.contains(&key.as_str()), "{name}: {key}");
+        }
+    }
+}
+
+#[test]
+fn elements_without_a_label_are_called_by_what_they_are() {
+    let model = "[parameters]\nm = \"1 kg\"\nc = \"100 N/m\"\n[coordinates]\nx = { unit = \"m\", start = \"1 cm\" }\n[bodies.cart]\norigin = [\"x\", \"0\"]\nmass = \"m\"\n\
+                 [springs.left]\nalong = \"x\"\nstiffness = \"c\"\n[springs.right]\nalong = \"x\"\nstiffness = \"c\"\n[forces.push]\nalong = \"x\"\nvalue = \"if(t < 1 [s], 5 [N], 0)\"\n";
+    let source = Source::new("model.toml", model);
+    let calculation = pipeline::run(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("a model"));
+    let russian = spaced(&text(&pipeline::report(&calculation, Language::Ru)));
+    assert!(russian.contains("Пружина 1") && russian.contains("Пружина 2") && russian.contains("«сила»"), "{russian}");
+    let words: Vec<&str> = russian.split(|c: char| !c.is_alphanumeric()).collect();
+    assert!(!["left", "right", "push"].iter().any(|key| words.contains(key)), "{russian}");
+}
+
+#[test]
+fn constants_over_a_switch_have_the_unit_of_their_quantity() {
+    let russian = spaced(&text(&document("oscillator", Language::Ru)));
+    let at = russian.find("M₀ = {").unwrap_or_else(|| panic!("{russian}"));
+    let told: String = russian[at..].chars().take(90).collect();
+    assert!(told.contains("Н·м"), "{told}");
+    assert!(!russian.contains("= – "), "{russian}");
+}
+
+#[test]
+fn linearisation_has_its_numbers_with_connections_too() {
+    // the problem's card: a = 0.72, b = 14.4, c = 72, n = k = 10
+    for name in ["oscillator", "oscillator-linkage"] {
+        let russian = spaced(&text(&document(name, Language::Ru)));
+        for line in [
+            "= 0,72 кг·м²",
+            "= 14,4 Н·м·с/рад",
+            "= 72 Н·м/рад",
+            "n = b/(2 a) = 14,4/(2·0,72) = 10 1/с",
+            "k = √(c/a) = √(72/0,72) = 10 рад/с",
+        ] {
+            assert!(russian.contains(line), "{name}: {line}\n{russian}");
+        }
+    }
+    let linkage = spaced(&text(&document("oscillator-linkage", Language::Ru)));
+    assert!(linkage.contains("a = J(q) = (m₁/2 + m₂ + 4 m₃/3) l²"), "{linkage}");
+}
+
+#[test]
+fn the_response_stands_over_the_ratio_of_the_frequencies() {
+    let russian = spaced(&text(&document("oscillator", Language::Ru)));
+    // z = 15/10, ζ = 1: λ = 1/(1 + z²)
+    for line in ["z = p/k = 15/10 = 1,5", "λ = 0,307692", "ζ = n/k = 10/10 = 1"] {
+        assert!(russian.contains(line), "{line}\n{russian}");
+    }
+}
+
+#[test]
+fn reactions_stand_at_the_instant_of_the_greatest_acceleration() {
+    // the problem's card: S, S1, S2 at max|ε|
+    let document = document("crank-hoist", Language::En);
+    let table = document.blocks.iter().find_map(|block| match block {
+        Block::Table(table) if table.caption.as_deref().is_some_and(|c| c.contains("greatest size of “angular acceleration")) => {
+            Some(table)
+        }
+        _ => None,
+    });
+    let rows: Vec<String> = table.unwrap().rows.iter().map(|row| format!("{row:?}")).collect();
+    for (value, what) in [("0.132649", "instant"), ("65.809", "ε"), ("9159.88", "S"), ("4202.24", "S₁"), ("9455.04", "S₂")] {
+        assert!(rows.iter().any(|row| row.contains(value)), "{what}: {value}\n{rows:?}");
+    }
+}
+
+#[test]
+fn lengths_keep_their_sign_where_motions_do() {
+    let russian = spaced(&text(&document("crank-hoist", Language::Ru)));
+    assert!(!russian.contains("|4 − s|") && !russian.contains("sign(4 − s)"), "{russian}");
+    assert!(russian.contains("s − r₄ φ₄ = 0") && russian.contains("4 − s > 0"), "{russian}");
+}
+
+#[test]
+fn generalized_and_dependent_coordinates_are_told_apart() {
+    let russian = spaced(&text(&document("crank-hoist", Language::Ru)));
+    assert!(russian.contains("Обобщённая координата – φ₁; остальные координаты – зависимые"), "{russian}");
+    let transfers = spaced(&text(&document("four-bar", Language::Ru)));
+    assert!(transfers.contains("J₁ + m₂ a²") && transfers.contains("мгновенный центр скоростей (шатун)"), "{transfers}");
+}
+
+#[test]
+fn a_word_document_holds_every_formula_and_picture() {
+    let here = folder("report-docx");
+    let file = here.join("work.docx");
+    strutt().args(["report", &gallery("oscillator-linkage"), "--lang", "ru", "--format", "docx", "-q", "-o"]).arg(&file).assert().success();
+    let first = std::fs::read(&file).unwrap();
+    assert_eq!(&first[..4], b"PK\x03\x04");
+    strutt().args(["report", &gallery("oscillator-linkage"), "--lang", "ru", "--format", "docx", "-q", "-o"]).arg(&file).assert().success();
+    assert_eq!(std::fs::read(&file).unwrap(), first);
+    // pictures stand in the package and not beside it
+    assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
+    for part in ["word/document.xml", "word/styles.xml", "word/media/figure-1.png", "[Content_Types].xml"] {
+        assert!(first.windows(part.len()).any(|w| w == part.as_bytes()), "{part}");
+    }
+}
