@@ -1,7 +1,7 @@
 //! Office MathML, the formulas of Word: ECMA-376 part 1, chapter 22.1. Word breaks long formulas itself, at their signs.
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Placement, Row, Shape, Sign};
-use super::lines::{Joint, Lines};
+use super::pieces::{Joint, Lines};
 use crate::escape::markup;
 
 /// The whole formula as `<m:oMath>`, in a paragraph of its own as `<m:oMathPara>`.

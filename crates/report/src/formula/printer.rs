@@ -1,10 +1,10 @@
 //! The printer: language, symbols, and the functions that callers use.
 
 use super::classes::Classes;
-use super::layout::{Identifier, Layout, Placement, Shape};
+use super::layout::{Identifier, Layout, Placement, Shape, Sign};
 use super::set::{self, Form, Formula};
 use super::{SymbolClass, names, text};
-use symbolic::{Equations, Graph, Symbol, SymbolId};
+use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
 use words::Language;
 
 /// Prints expressions of one graph.
