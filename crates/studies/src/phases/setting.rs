@@ -11,12 +11,19 @@ const DIGITS: usize = 6;
 pub struct Setting {
     pub printer: Printer,
     pub language: Language,
+    /// Letters of the textbooks that the file uses for something else.
+    pub taken: Vec<String>,
 }
 
 impl Setting {
     /// A letter, `C1` being C with the index 1.
     pub fn letter(&self, name: &str) -> Layout {
-        Layout::Symbol(self.printer.named(name))
+        let other = self.language.pick("lin", "лин");
+        match self.taken.iter().any(|taken| taken == name) {
+            // an index of its own, behind that of the letter
+            true => Layout::Symbol(self.printer.named(&format!("{name}_{other}"))),
+            false => Layout::Symbol(self.printer.named(name)),
+        }
     }
 
     /// |x|.

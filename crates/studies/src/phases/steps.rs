@@ -19,13 +19,17 @@ use report::formula::Printer;
 use symbolic::Equations;
 use words::Language;
 
+/// Share by which a parameter of the same letter may lie beside what the letter means.
+const SAME: f64 = 1e-9;
 /// Digits of instants in headings.
 const DIGITS: usize = 6;
 
 /// The solution of all phases.
 pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: usize) -> Vec<Block> {
     let (phases, names) = (&found.list, &found.names);
-    let setting = Setting { printer: Printer::of(equations, language).with_width(width), language };
+    let printer = Printer::of(equations, language).with_width(width);
+    let taken = taken(equations, phases, &printer);
+    let setting = Setting { printer, language, taken };
     let mut blocks: Vec<Block> = reading(found, language).into_iter().collect();
     let mut before: Option<&Phase> = None;
     for (i, phase) in phases.iter().enumerate() {
@@ -55,6 +59,30 @@ pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: 
         blocks.push(Block::Table(state_table(equations, phases, names, language)));
     }
     blocks
+}
+
+/// Letters of the textbooks that the file gives to other quantities: to coordinates, results, and parameters of another value.
+fn taken(equations: &Equations, phases: &[Phase], printer: &Printer) -> Vec<String> {
+    let listed = phases.first().map(Phase::listed).unwrap_or_default();
+    let known: Vec<(&str, f64)> = match listed.as_slice() {
+        [only] => {
+            let (a, o) = (only.inertia, &only.mode.oscillator);
+            let load = only.forcing.first().map(|f| (f.harmonic.h, f.harmonic.p));
+            let loads = load.map(|(h, p)| vec![("h", h), ("p", p), ("H", a * h)]).unwrap_or_default();
+            [("a", a), ("b", 2.0 * o.n * a), ("c", o.k2 * a), ("n", o.n), ("k", o.k2.max(0.0).sqrt())].into_iter().chain(loads).collect()
+        }
+        _ => Vec::new(),
+    };
+    let letters = ["a", "b", "c", "n", "k", "h", "p", "H", "D", "A", "B", "C1", "C2", "k1", "T1", "r1", "r2"];
+    let is_taken = |letter: &str| {
+        let shown = printer.shown(letter);
+        let own = known.iter().find(|(name, _)| *name == letter).map(|(_, value)| *value);
+        let named = |symbol| printer.shown(&equations.graph.symbol_info(symbol).name) == shown;
+        let differs = |value: f64| own.is_none_or(|own: f64| (value - own).abs() > SAME * own.abs());
+        equations.parameters.iter().any(|p| named(p.symbol) && differs(p.value))
+            || equations.coordinates.iter().any(|c| named(c.symbols[0]))
+    };
+    letters.into_iter().filter(|letter| is_taken(letter)).map(str::to_owned).collect()
 }
 
 /// How the loads pass the switches, when there are switches and harmonic loads.

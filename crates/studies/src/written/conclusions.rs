@@ -9,7 +9,7 @@ use words::Language;
 /// Significant digits of a number in a sentence.
 const DIGITS: usize = 4;
 /// Extremes that are named.
-const MOST: usize = 3;
+const MOST: usize = 6;
 /// How far a sample may lie beyond an extreme that was sought between samples.
 const ROUNDING: f64 = 1e-9;
 
@@ -40,6 +40,8 @@ enum Statement {
     Irregular { delta: f64 },
     /// What a cycle needs: names, values with units as they are shown; for a wanted irregularity where there is one.
     Needed { delta: Option<f64>, found: Vec<(String, f64, String)> },
+    /// Published results laid against ours: all, and those that do not hold.
+    Published { all: usize, refuted: usize },
     /// The checks of the calculation.
     Checks { all: usize, failed: usize },
 }
@@ -67,6 +69,7 @@ impl Statement {
                 !found.is_empty() && found.iter().all(|(_, value, _)| value.is_finite()) && delta.is_none_or(|d| d > 0.0 && d.is_finite())
             }
             Statement::Checks { all, failed } => *all > 0 && failed <= all,
+            Statement::Published { all, refuted } => *all > 0 && refuted <= all,
         }
     }
 
@@ -90,7 +93,7 @@ impl Statement {
                 let value = report::number::with_unit(&number(*value), unit);
                 let t = number(*t);
                 language.pick(
-                    format!("The greatest size of “{label}” is {value}, at t = {t} s."),
+                    format!("The largest magnitude of “{label}” is {value}, at t = {t} s."),
                     format!("Наибольшее по модулю значение величины «{label}» равно {value} при t = {t} с."),
                 )
             }
@@ -112,21 +115,8 @@ impl Statement {
                 language
                     .pick(format!("The irregularity of running is {delta}."), format!("Коэффициент неравномерности хода равен {delta}."))
             }
-            Statement::Needed { delta, found } => {
-                let one =
-                    |(name, value, unit): &(String, f64, String)| format!("{name} = {}", report::number::with_unit(&number(*value), unit));
-                let list = found.iter().map(one).collect::<Vec<_>>().join("; ");
-                match delta.map(number) {
-                    Some(delta) => language.pick(
-                        format!("The wanted irregularity {delta} needs {list}."),
-                        format!("Для заданного коэффициента неравномерности {delta} требуется: {list}."),
-                    ),
-                    None => language.pick(
-                        format!("The balance of work over the cycle gives {list}."),
-                        format!("Из баланса работ за цикл найдено: {list}."),
-                    ),
-                }
-            }
+            Statement::Needed { delta, found } => needed(*delta, found, language),
+            Statement::Published { all, refuted } => published(*all, *refuted, language),
             Statement::Checks { all, failed: 0 } => {
                 language.pick(format!("All checks hold ({all})."), format!("Все проверки выполнены (всего {all})."))
             }
@@ -135,6 +125,36 @@ impl Statement {
                 format!("Не выполнено проверок: {failed} из {all}; результатами пользоваться нельзя."),
             ),
         }
+    }
+}
+
+/// What a cycle needs.
+fn needed(delta: Option<f64>, found: &[(String, f64, String)], language: Language) -> String {
+    let number = |x: f64| report::number::short(x, DIGITS, language);
+    let one = |(name, value, unit): &(String, f64, String)| format!("{name} = {}", report::number::with_unit(&number(*value), unit));
+    let list = found.iter().map(one).collect::<Vec<_>>().join("; ");
+    match delta.map(number) {
+        Some(delta) => language.pick(
+            format!("The wanted irregularity {delta} needs {list}."),
+            format!("Для заданного коэффициента неравномерности {delta} требуется: {list}."),
+        ),
+        None => {
+            language.pick(format!("The balance of work over the cycle gives {list}."), format!("Из баланса работ за цикл найдено: {list}."))
+        }
+    }
+}
+
+/// Published results beside ours.
+fn published(all: usize, refuted: usize, language: Language) -> String {
+    match refuted {
+        0 => language.pick(
+            format!("The published results are confirmed ({all})."),
+            format!("Опубликованные результаты подтверждены (всего {all})."),
+        ),
+        _ => language.pick(
+            format!("Of {all} published results {refuted} are not confirmed: see the verification."),
+            format!("Не подтверждено опубликованных результатов: {refuted} из {all}, см. проверку результатов."),
+        ),
     }
 }
 
@@ -189,6 +209,11 @@ fn of_study(work: &Work, results: &Results) -> Vec<Statement> {
             fact("period").zip(stable).map(|(period, stable)| Statement::Regime { period, stable }).into_iter().collect()
         }
         "cycle" => of_cycle(work, results),
+        "claims" => {
+            let verdicts = results.own.get("claims").and_then(serde_json::Value::as_array).map(Vec::as_slice).unwrap_or_default();
+            let refuted = verdicts.iter().filter(|v| v.get("ok").and_then(serde_json::Value::as_bool) != Some(true)).count();
+            vec![Statement::Published { all: verdicts.len(), refuted }]
+        }
         _ => Vec::new(),
     }
 }
@@ -217,7 +242,11 @@ fn lowest(values: &[f64]) -> Option<f64> {
 /// The greatest sizes of the first named quantities.
 fn greatest(work: &Work, results: &Results) -> Vec<Statement> {
     let named = |name: &str| work.equations.outputs.iter().any(|o| o.name == name && o.role == Role::Named);
-    let extremes = results.data.extremes.iter().filter(|e| named(&results.data.columns[e.column].quantity.name));
+    // what is plotted is what was asked for
+    let plotted: Vec<&str> = results.plots.iter().flat_map(|plot| plot.y.iter().map(String::as_str)).collect();
+    let name = |e: &analysis::dataset::Extreme| results.data.columns[e.column].quantity.name.as_str();
+    let mut extremes: Vec<_> = results.data.extremes.iter().filter(|e| named(name(e))).collect();
+    extremes.sort_by_key(|e| plotted.iter().position(|p| *p == name(e)).unwrap_or(usize::MAX));
     let one = |e: &analysis::dataset::Extreme| {
         let column = &results.data.columns[e.column];
         let (value, t) = if e.max.abs() >= e.min.abs() { (e.max, e.t_max) } else { (e.min, e.t_min) };
@@ -227,7 +256,7 @@ fn greatest(work: &Work, results: &Results) -> Vec<Statement> {
         let beside = column.values.iter().chain([&e.min, &e.max]).copied().collect();
         (!label.en.is_empty()).then_some(Statement::Greatest { label, shown, t, beside, value })
     };
-    extremes.filter_map(one).take(MOST).collect()
+    extremes.into_iter().filter_map(one).take(MOST).collect()
 }
 
 #[cfg(test)]
@@ -302,6 +331,12 @@ mod tests {
     #[test]
     fn failed_checks_are_never_called_held() {
         for (all, failed) in (0..9).flat_map(|all| (0..=all + 1).map(move |failed| (all, failed))) {
+            let published = Statement::Published { all, refuted: failed };
+            assert_eq!(published.holds(), all > 0 && failed <= all);
+            if published.holds() {
+                assert_eq!(published.words(Language::En).contains("not confirmed"), failed > 0);
+                assert_eq!(published.words(Language::Ru).contains("Не подтверждено"), failed > 0);
+            }
             let statement = Statement::Checks { all, failed };
             assert_eq!(statement.holds(), all > 0 && failed <= all);
             if statement.holds() {

@@ -50,12 +50,16 @@ impl Work<'_> {
         if let Some(i) = bodies.iter().position(|f| f.name == name) {
             return (i + 1).to_string();
         }
-        let Some(element) = self.model.elements.iter().find(|e| e.name == name) else { return name.to_owned() };
+        // springs and dampers may have one name
+        let own: &[&str] = if letter == "Φ" { &["dampers", "dissipations"] } else { &["springs", "torsion_bars", "potentials"] };
+        let named = || self.model.elements.iter().filter(|e| e.name == name);
+        let Some(element) = named().find(|e| own.contains(&e.table)).or_else(|| named().next()) else { return name.to_owned() };
         let alike: Vec<_> = self.model.elements.iter().filter(|e| e.table == element.table).collect();
         let place = alike.iter().position(|e| e.name == name).map_or(0, |i| i + 1);
         let number = if alike.len() > 1 { place.to_string() } else { String::new() };
         match element.table {
             "springs" | "torsion_bars" => format!("{}{number}", self.language.pick("s", "п")),
+            "dampers" | "dissipations" => format!("{}{number}", self.language.pick("d", "д")),
             _ => format!("{}{place}", self.language.pick("e", "э")),
         }
     }
@@ -207,13 +211,14 @@ fn forces(work: &Work, pen: &mut Pen) {
             let name = work.load_name(&load.path);
             pen.say(work.language.pick(format!("{what} “{name}”:"), format!("{what} «{name}»:")));
             let left = Layout::Symbol(work.printer.named("N"));
-            let right = work.printer.layout(&graph, power);
+            let right = work.readable(&graph, power);
             pen.formula(work.printer.block(Layout::Related(Box::new(left), Relation::Equal, Box::new(right))));
         }
     }
     pen.say(work.language.pick("Hence", "Отсюда"));
     for formula in &step.formulas {
-        pen.numbered(fitted(&work.printer, work.own.step(&graph, formula)));
+        let layout = work.settled(|printer| printer.step(&graph, formula));
+        pen.numbered(fitted(&work.printer, layout));
     }
 }
 
@@ -237,7 +242,8 @@ fn lagrange(work: &Work, pen: &mut Pen) {
     }
     pen.say(work.language.pick("Equations of motion:", "Уравнения движения:"));
     for (i, equality) in textbook.iter().enumerate() {
-        pen.numbered(work.printer.block(work.own.equality_layout(&work.equations.graph, *equality, Some(i))));
+        let layout = work.settled(|printer| printer.equality_layout(&work.equations.graph, *equality, Some(i)));
+        pen.numbered(work.printer.block(layout));
     }
     reactions(work, textbook, pen);
     let laws = crate::frictions::laws(work.equations, &work.printer);

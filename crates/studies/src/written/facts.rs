@@ -60,6 +60,10 @@ impl Work<'_> {
                 point.on != frame.on || point.at.iter().any(|e| self.changes(*e))
             }
         };
+        // what stands fast on its carrier moves as that does
+        if !turns && !shifts && frame.on != FrameId::GROUND {
+            return self.moves(&self.model.frames[frame.on.index()]);
+        }
         let carried = frame.on == FrameId::GROUND || self.moves(&self.model.frames[frame.on.index()]) == Moves::Rests;
         match (turns, shifts) {
             _ if !plane => Moves::InSpace,
@@ -116,7 +120,7 @@ impl Work<'_> {
             });
             table.row(vec![
                 Cell::words(self.number(FrameId(i)).map_or(String::new(), |n| n.to_string())),
-                Cell::words(if self.text(&frame.label).is_empty() { &frame.name } else { self.text(&frame.label) }),
+                Cell::words(self.body_name(FrameId(i))),
                 Cell::words(self.motion(frame)),
                 match (mass, &inertia) {
                     (Some(m), _) => self.formula(m.mass),
@@ -285,7 +289,7 @@ impl Work<'_> {
                 vec![inline(Layout::Related(
                     Box::new(Layout::Symbol(self.printer.named("N"))),
                     Relation::Equal,
-                    Box::new(self.printer.layout(&graph, power)),
+                    Box::new(self.readable(&graph, power)),
                 ))]
             }
             _ => vec![words("–")],

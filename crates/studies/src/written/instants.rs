@@ -25,7 +25,7 @@ pub(super) fn of_motion(work: &Work, results: &Results, pen: &mut Pen) {
         let label = results.data.column(&name).map_or("", |c| work.text(&c.quantity.label));
         let what = if label.is_empty() { &name } else { label };
         let caption = work.language.pick(
-            format!("Values at the instant of the greatest size of “{what}”"),
+            format!("Values at the instant of the largest magnitude of “{what}”"),
             format!("Значения величин в момент наибольшего по модулю значения величины «{what}»"),
         );
         pen.table(table, caption);

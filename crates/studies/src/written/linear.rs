@@ -85,14 +85,15 @@ fn numbers(linear: &Linear, values: &[(SymbolId, f64)]) -> [f64; 3] {
     [&linear.mass, &linear.damping, &linear.stiffness].map(|matrix| linear.graph.evaluate(&[matrix.get(0, 0)], &find)[0])
 }
 
-/// a q'' + b q' + c q.
+/// a q'' + b q' + c q = Q.
 pub(super) fn form(work: &Work, coordinate: &Coordinate, numbers: [f64; 3]) -> Layout {
     let term = |(letter, k): (&str, usize)| {
         let symbol = work.printer.symbol_layout(&work.equations.graph, coordinate.symbols[k]);
         let letter = free(work, letter, numbers[2 - k]);
         (Sign::Plus, Layout::Product(vec![Layout::Symbol(work.printer.named(&letter)), symbol]))
     };
-    Layout::Sum([("a", 2), ("b", 1), ("c", 0)].map(term).to_vec())
+    let left = Layout::Sum([("a", 2), ("b", 1), ("c", 0)].map(term).to_vec());
+    Layout::Related(Box::new(left), Relation::Equal, Box::new(Layout::Symbol(work.printer.named("Q"))))
 }
 
 /// Unit of a coefficient of a coordinate's acceleration, rate and deviation in the balance of that coordinate.

@@ -31,7 +31,8 @@ use crate::results::{Extent, Results, View};
 use mechanics::Model;
 use mechanics::model::Depth;
 use pen::Pen;
-use report::formula::{Printer, Sign};
+use report::document::Formula;
+use report::formula::{Layout, Printer, Sign};
 use report::{Block, Document};
 use symbolic::{Equations, Expr};
 use wording::Word;
@@ -111,6 +112,18 @@ impl<'a> Work<'a> {
         let signs = signs::kept(calculation);
         let own = printer.clone().with_signs(signs.clone());
         Work { calculation, model: &machine.model, equations: &machine.equations, language, printer, own, signs }
+    }
+
+    /// A layout; numbers that print would cut are rounded instead: 0,327485 and not 0,327485….
+    fn settled(&self, make: impl Fn(&Printer) -> Layout) -> Layout {
+        let layout = make(&self.own);
+        let cut = Formula::inline(layout.clone()).text().contains('…');
+        if cut { make(&self.own.clone().rounded()) } else { layout }
+    }
+
+    /// A formula, settled.
+    fn readable(&self, graph: &symbolic::Graph, e: Expr) -> Layout {
+        self.settled(|printer| printer.layout(graph, e))
     }
 
     /// The results of studies that a chapter tells.

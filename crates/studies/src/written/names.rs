@@ -66,6 +66,18 @@ impl Work<'_> {
         }
     }
 
+    /// The label of a body; its name where that is no foreign word, else its number.
+    pub(super) fn body_name(&self, frame: FrameId) -> String {
+        let Frame { name, label, .. } = &self.model.frames[frame.index()];
+        let label = self.text(label);
+        let foreign = self.language == words::Language::Ru && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && name.len() > 2;
+        match self.number(frame) {
+            _ if !label.is_empty() => label.to_owned(),
+            Some(n) if foreign => format!("тело {n}"),
+            _ => name.clone(),
+        }
+    }
+
     /// "body 2 (crank)", "the ground".
     pub(super) fn body(&self, frame: FrameId) -> String {
         self.titled(frame, [("the ground", "стойка"), ("body", "тело"), ("the frame", "система отсчёта")])

@@ -132,6 +132,12 @@ fn reduced(above: Layout, below: &Layout) -> Layout {
         _ => None,
     };
     let digits = |n: u64| Layout::Number { mantissa: n.to_string(), exponent: None };
+    // a fraction over a number is a fraction over the product
+    if let (Layout::Fraction(inner, under), Some(d)) = (&above, whole(below))
+        && let Some(more) = whole(under)
+    {
+        return reduced((**inner).clone(), &digits(d * more));
+    }
     let mut factors = if let Layout::Product(factors) = above { factors } else { vec![above] };
     let (Some(n), Some(d)) = (factors.first().and_then(whole), whole(below)) else {
         return Layout::Fraction(Box::new(product(factors)), Box::new(below.clone()));
@@ -160,16 +166,43 @@ fn distributed(mut factors: Vec<Layout>, finish: &dyn Fn(Layout) -> Layout) -> L
         },
         other => vec![(Sign::Plus, other)],
     };
-    let one = |term: Layout| {
-        let more = if let Layout::Product(inner) = term { inner } else { vec![term] };
-        // the number of a term stands before everything else
-        let number = |f: &Layout| matches!(f, Layout::Number { .. });
-        let (own, letters): (Vec<_>, Vec<_>) = more.into_iter().partition(number);
-        let (front, others): (Vec<_>, Vec<_>) = factors.iter().cloned().partition(number);
-        let numbers = multiplied(front.into_iter().chain(own).collect());
-        finish(product(numbers.into_iter().chain(others).chain(letters).collect()))
+    let one = |term: Layout| match parted(term) {
+        (above, Some(below)) => finish(Layout::Fraction(Box::new(joined(&factors, above)), Box::new(below))),
+        (above, None) => finish(joined(&factors, above)),
     };
     Layout::Sum(terms.into_iter().map(|(sign, term)| (sign, one(term))).collect())
+}
+
+/// The factors of a term, and what they stand over.
+fn parted(term: Layout) -> (Vec<Layout>, Option<Layout>) {
+    let factors = |layout: Layout| if let Layout::Product(inner) = layout { inner } else { vec![layout] };
+    match term {
+        Layout::Fraction(above, below) => (factors(*above), Some(*below)),
+        // a fraction with functions behind it
+        Layout::Product(mut inner) if matches!(inner.first(), Some(Layout::Fraction(..))) => match inner.remove(0) {
+            Layout::Fraction(above, below) => (factors(*above).into_iter().chain(inner).collect(), Some(*below)),
+            other => (std::iter::once(other).chain(inner).collect(), None),
+        },
+        other => (factors(other), None),
+    }
+}
+
+/// Common factors and those of a term in the order of print: the number, constants, rates, functions.
+fn joined(common: &[Layout], own: Vec<Layout>) -> Layout {
+    let rank = |f: &Layout| match f {
+        Layout::Number { .. } => 0,
+        Layout::Symbol(symbol) => 1 + u8::from(symbol.primes > 0),
+        Layout::Power(base, _) => match &**base {
+            Layout::Symbol(symbol) => 1 + u8::from(symbol.primes > 0),
+            _ => 1,
+        },
+        Layout::Call { .. } => 3,
+        _ => 1,
+    };
+    let mut all: Vec<Layout> = common.iter().cloned().chain(own).collect();
+    all.sort_by_key(rank);
+    let letters = all.split_off(all.iter().take_while(|f| rank(f) == 0).count());
+    product(multiplied(all).into_iter().chain(letters).collect())
 }
 
 fn product(mut factors: Vec<Layout>) -> Layout {
@@ -237,6 +270,8 @@ mod tests {
         assert_eq!(shown("9", "2"), "9 m/2");
         assert_eq!(shown("2", "2"), "m");
         assert_eq!(shown("4", "6"), "2 m/3");
+        let nested = Layout::Fraction(Box::new(Layout::Product(vec![letter("m"), letter("r")])), Box::new(number("2")));
+        assert_eq!(Formula::inline(reduced(nested, &number("2"))).text(), "m r/4");
     }
 
     #[test]

@@ -56,5 +56,5 @@ words::table! {
     Found: "Found", "Получено";
     Expected: "Expected", "Ожидается";
     Checks: "checks of the calculation", "проверки расчёта";
-    Free0: "massless", "не учитывается";
+    Free0: "neglected", "не учитывается";
 }
