@@ -103,11 +103,13 @@ pub fn made(
     pass: (&mut Watch, Language),
 ) -> Course {
     let (watch, language) = pass;
+    let mut given = Vec::new();
     let mut course = Course { files: Vec::new(), key: Key::new(source.clone(), Vec::new()), readings: 0 };
     for (i, (student, place)) in students.iter().enumerate() {
         let stem = stem(i, student, &members[*place].0, students.len());
-        let entry = one(class, model, (source, &members[*place]), (student, &stem), (&mut course.files, language));
+        let (entry, data) = one(class, model, (source, &members[*place]), (student, &stem), (&mut course.files, language));
         course.key.entries.push(entry);
+        given.push(data);
         if let Some(progress) = &mut watch.progress {
             progress((i + 1) as f64 / students.len() as f64);
         }
@@ -115,8 +117,8 @@ pub fn made(
     let (key, title) = (&course.key, Word::Key);
     let page = page(&sheet::key(key, model, language));
     let mut last = vec![
-        ("moodle.xml".to_owned(), Word::Quiz, quiz::moodle(key, model, language).into_bytes()),
-        ("questions.gift".to_owned(), Word::Quiz, quiz::gift(key, model, language).into_bytes()),
+        ("moodle.xml".to_owned(), Word::Quiz, quiz::moodle((key, &given), model, language).into_bytes()),
+        ("questions.gift".to_owned(), Word::Quiz, quiz::gift((key, &given), model, language).into_bytes()),
         ("answers.csv".to_owned(), Word::AnswerSheet, key.answers_csv(model).into_bytes()),
         ("key.csv".to_owned(), title, key.to_csv(model).into_bytes()),
         ("key.json".to_owned(), title, format!("{:#}\n", key.to_json(model)).into_bytes()),
@@ -127,14 +129,14 @@ pub fn made(
     course
 }
 
-/// The sheets of one student.
+/// The sheets of one student; what the variant is given, in a line.
 fn one(
     class: &mut Class,
     model: &Model,
     (source, (name, member)): (&Source, &(String, Result<Member, Notice>)),
     (student, stem): (&str, &str),
     (files, language): (&mut Sheets, Language),
-) -> Entry {
+) -> (Entry, String) {
     let mut entry = Entry { student: student.to_owned(), member: Member { name: name.clone(), ..Member::default() }, ..Entry::default() };
     entry.truths = vec![None; model.answers.len()];
     let say = |notice: &Notice| format!("{} [{}]", language.text(&notice.what), notice.code);
@@ -145,23 +147,25 @@ fn one(
             class.machine(member).map_err(|failure| say(&reason(failure)))
         }
     };
-    let (task, solution) = match machine {
+    let (task, solution, given) = match machine {
         Err(why) => {
             entry.failure = why;
-            (sheet::task(model, None, (source, &entry), language), sheet::no_solution(model, (source, &entry), language))
+            let task = sheet::task(model, None, (source, &entry), language);
+            (task, sheet::no_solution(model, (source, &entry), language), String::new())
         }
         Ok(machine) => {
             let solved = solve::solve(machine, &entry.member.given, &mut Watch::default());
             entry.truths = solved.truths.iter().map(|t| t.as_ref().ok().copied()).collect();
             entry.failure = why(machine, &solved, language);
-            let task = sheet::task(model, Some(machine), (source, &entry), language);
+            let given = sheet::given(machine, language);
             let calculation = Calculation { machine: machine.clone(), results: solved.results, files: Vec::new() };
-            (task, sheet::solution(pipeline::report(&calculation, language), model, (source, &entry), language))
+            let task = sheet::task(model, Some(&calculation), (source, &entry), language);
+            (task, sheet::solution(pipeline::report(&calculation, language), model, (source, &entry), language), given)
         }
     };
     files.push((format!("tasks/{stem}.html"), Word::Task, page(&task)));
     files.push((format!("solutions/{stem}.html"), Word::Solution, page(&solution)));
-    entry
+    (entry, given)
 }
 
 /// Why a variant cannot be given out; empty where it can.
@@ -395,9 +399,11 @@ impl Graduation {
     }
 }
 
-/// A name as it is compared: case, spaces and ё do not matter.
+/// A name as it is compared: case, spaces, marks and ё do not matter.
 fn plain(name: &str) -> String {
-    name.to_lowercase().replace('ё', "е").split_whitespace().collect::<Vec<_>>().join(" ")
+    let letters: String = name.to_lowercase().replace('ё', "е").chars().map(|c| if c.is_alphanumeric() { c } else { ' ' }).collect();
+    let words = letters.split_whitespace().collect::<Vec<_>>().join(" ");
+    if words.is_empty() { name.trim().to_owned() } else { words }
 }
 
 /// The student of a row: by name, else by variant where only one student has it.

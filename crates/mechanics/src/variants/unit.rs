@@ -27,8 +27,9 @@ pub fn scale(label: &str, unit: &AnswerUnit) -> Result<f64, Misfit> {
 pub(crate) fn turned(of: &Dimension, unit: &AnswerUnit) -> Option<f64> {
     let counts = |d: &Dimension| d.lacks_radians();
     match (counts(of), counts(&unit.dimension)) {
-        (true, false) if unit.dimension.has_radians() => Some(unit.factor / TAU),
-        (false, true) if of.has_radians() => Some(unit.factor * TAU),
+        (true, false) if unit.dimension.has_radians() && of.pi() <= 0 => Some(unit.factor / TAU),
+        // k/(2π) counts periods already
+        (false, true) if of.has_radians() && of.pi() >= 0 => Some(unit.factor * TAU),
         _ => None,
     }
 }

@@ -185,6 +185,32 @@ fn wrong_answers_have_their_likeness_and_later_ones_follow() {
     assert!(files(&here.join("graded")).iter().any(|f| f.0 == "reports/01-Иванова-Анна.html"));
 }
 
+/// The table that `make` writes is read back, whatever the names; questions hold what the sheet does.
+#[test]
+fn the_empty_table_is_taken_back_with_any_names_and_questions_hold_all_data() {
+    let here = class("class-names");
+    std::fs::write(here.join("list.csv"), "name;variant\n\"Petrova \"\"Anna\"\" O'Neil\";1\n\"Müller; Jörg\";2\n=Sum;3\n").unwrap();
+    make(&here, "out", 0);
+    let key = key(&here, "out");
+    let truth = |i: usize, k: usize| key["entries"][i]["answers"][k].as_f64().unwrap();
+    let empty = std::fs::read_to_string(here.join("out/answers.csv")).unwrap();
+    let filled = |(i, line): (usize, &str)| match line.strip_suffix(";;;") {
+        Some(head) => format!("{head};{};{};{}\n", truth(i - 2, 0), truth(i - 2, 1), truth(i - 2, 2)),
+        None => format!("{line}\n"),
+    };
+    std::fs::write(here.join("a.csv"), empty.lines().enumerate().map(filled).collect::<String>()).unwrap();
+    let found = grade(&here, "a.csv");
+    assert_eq!(found["remarks"].as_array().unwrap().len(), 0, "{found}");
+    for row in found["students"].as_array().unwrap() {
+        assert_eq!(row["right"], 3, "{row}");
+    }
+    for file in ["moodle.xml", "questions.gift"] {
+        let text = std::fs::read_to_string(here.join("out").join(file)).unwrap();
+        // the damping is the same for all and stands in no variant
+        assert!(text.contains("b \\= 4") || text.contains("b = 4"), "{text}");
+    }
+}
+
 /// Of a key without names everyone who handed in is graded, two who took one variant too.
 #[test]
 fn a_key_without_names_grades_whoever_hands_in() {

@@ -13,6 +13,9 @@ use mechanics::model::{AnswerDecl, AnswerValue, Class as Dependence};
 use mechanics::units::{Dimension, parse_unit};
 use words::{Language, Text};
 
+/// Most that rounding may take from an answer: what two digits say.
+const COARSE: f64 = 0.05;
+
 /// What is thought of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
@@ -112,8 +115,12 @@ pub fn verdict(answer: &AnswerDecl, truth: Option<f64>, written: &Written) -> Ve
         (_, None) => Verdict::Unknown,
         (Written::Foreign(_), _) => Verdict::Unit,
         (Written::Number { value, .. }, Some(truth)) if within(*value, truth, answer) => Verdict::Right,
-        // a number with one digit at least that says something of it
-        (Written::Number { value, half }, Some(truth)) if (value - truth).abs() <= half * (1.0 + 1e-9) && *value != 0.0 => Verdict::Rounded,
+        // one digit alone says too little
+        (Written::Number { value, half }, Some(truth))
+            if (value - truth).abs() <= (half * (1.0 + 1e-9)).min(COARSE * truth.abs()) && *value != 0.0 =>
+        {
+            Verdict::Rounded
+        }
         (Written::Number { value, .. }, Some(truth)) => {
             Verdict::Wrong(if truth == 0.0 { f64::INFINITY } else { ((value - truth) / truth).abs() })
         }
@@ -149,7 +156,10 @@ pub fn grade(class: &mut Class, answers: &[AnswerDecl], pupil: &Pupil<'_>, cells
                     item.verdict = Verdict::Unit;
                 }
             }
-            own.push((i, *value));
+            // a right value in another unit is carried as the right one
+            if item.verdict != Verdict::Unit {
+                own.push((i, *value));
+            }
         }
         done.push(item);
     }

@@ -107,14 +107,13 @@ impl Key {
         heads.for_each(|h| out.push_str(&format!(";{h}")));
         out.push('\n');
         for e in &self.entries {
-            let name = e.student.replace(['"', ';', '\n', '\r'], " ");
-            let _ = writeln!(out, "{name};{}{}", e.member.name, ";".repeat(model.answers.len()));
+            let _ = writeln!(out, "{};{}{}", quoted(&e.student), quoted(&e.member.name), ";".repeat(model.answers.len()));
         }
         out
     }
 }
 
-/// A cell of CSV with commas; a formula of a spreadsheet is made a text.
+/// A cell of CSV with commas or semicolons; a formula of a spreadsheet is made a text.
 pub fn quoted(text: &str) -> String {
     let text = if text.starts_with(['=', '+', '@']) { format!("'{text}") } else { text.to_owned() };
     if text.contains([',', '"', '\n', '\r', ';']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }

@@ -14,39 +14,38 @@ fn allowed(answer: &AnswerDecl, truth: f64) -> f64 {
     }
 }
 
-/// What a question says: the data of the variant, then what is asked.
-fn question(entry: &Entry, answer: &AnswerDecl, language: Language) -> String {
-    let data: Vec<String> = entry
-        .member
-        .overrides
-        .iter()
-        .map(|(name, value)| format!("{name} = {}", super::sheet::shown(value, (None, ""), language)))
-        .collect();
+/// What a question says: what is given to the variant, then what is asked.
+fn question(entry: &Entry, (answer, given): (&AnswerDecl, &str), language: Language) -> String {
     let unit = report::unit::print(&answer.unit.label, language);
     let unit = if unit.is_empty() { String::new() } else { format!(", {unit}") };
-    let given = language.pick("Variant", "Вариант");
-    let data = if data.is_empty() { String::new() } else { format!(": {}", data.join("; ")) };
-    format!("{given} {}{data}. {}{unit}?", entry.member.name, language.text(&answer.ask))
+    let variant = language.pick("Variant", "Вариант");
+    let given = given.trim_end_matches('.');
+    let given = if given.is_empty() { String::new() } else { format!(" {given}.") };
+    format!("{variant} {}.{given} {}{unit}?", entry.member.name, language.text(&answer.ask))
 }
 
-/// Each item that has a right number.
-fn items<'k>(key: &'k Key, model: &'k Model) -> impl Iterator<Item = (&'k Entry, &'k AnswerDecl, f64)> {
-    let of = |e: &'k Entry| model.answers.iter().zip(&e.truths).filter_map(move |(a, t)| Some((e, a, (*t)?)));
-    key.entries.iter().flat_map(of)
+/// An item that has a right number, with what is given.
+type Item<'k> = (&'k Entry, (&'k AnswerDecl, &'k str), f64);
+
+fn items<'k>((key, given): (&'k Key, &'k [String]), model: &'k Model) -> impl Iterator<Item = Item<'k>> {
+    let of = |(e, given): (&'k Entry, &'k String)| {
+        model.answers.iter().zip(&e.truths).filter_map(move |(a, t)| Some((e, (a, given.as_str()), (*t)?)))
+    };
+    key.entries.iter().zip(given).flat_map(of)
 }
 
-/// Moodle XML: a category for each variant, a numerical question for each item.
-pub fn moodle(key: &Key, model: &Model, language: Language) -> String {
+/// Moodle XML: a category for each variant, a numerical question for each item. `given`: what each entry of the key is given.
+pub fn moodle((key, given): (&Key, &[String]), model: &Model, language: Language) -> String {
     let title = language.text(&model.title);
     let mut out = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<!-- strutt {}, model {} -->\n", key.version, key.hash());
     let mut category = String::new();
-    for (entry, answer, truth) in items(key, model) {
+    for (entry, (answer, given), truth) in items((key, given), model) {
         if category != entry.member.name {
             category.clone_from(&entry.member.name);
             let path = format!("$course$/top/{}/{category}", title.replace('/', "//"));
             let _ = writeln!(out, "<question type=\"category\"><category><text>{}</text></category></question>", xml(&path));
         }
-        let (name, text) = (format!("{}-{}", entry.member.name, answer.id), question(entry, answer, language));
+        let (name, text) = (format!("{}-{}", entry.member.name, answer.id), question(entry, (answer, given), language));
         let _ = writeln!(out, "<question type=\"numerical\">\n<name><text>{}</text></name>", xml(&name));
         let _ =
             writeln!(out, "<questiontext format=\"plain_text\"><text>{}</text></questiontext>\n<defaultgrade>1</defaultgrade>", xml(&text));
@@ -63,17 +62,17 @@ pub fn moodle(key: &Key, model: &Model, language: Language) -> String {
     out
 }
 
-/// GIFT: a numerical question for each item.
-pub fn gift(key: &Key, model: &Model, language: Language) -> String {
+/// GIFT: a numerical question for each item. `given`: what each entry of the key is given.
+pub fn gift((key, given): (&Key, &[String]), model: &Model, language: Language) -> String {
     let title = language.text(&model.title);
     let mut out = format!("// strutt {}, model {}\n", key.version, key.hash());
     let mut category = String::new();
-    for (entry, answer, truth) in items(key, model) {
+    for (entry, (answer, given), truth) in items((key, given), model) {
         if category != entry.member.name {
             category.clone_from(&entry.member.name);
             let _ = write!(out, "\n$CATEGORY: {}/{category}\n", title.replace('/', "//").replace('\n', " "));
         }
-        let text = question(entry, answer, language);
+        let text = question(entry, (answer, given), language);
         let name = escaped(&format!("{}-{}", entry.member.name, answer.id));
         let _ = writeln!(out, "\n::{name}::{} {{#{truth}:{}}}", escaped(&text), allowed(answer, truth));
     }

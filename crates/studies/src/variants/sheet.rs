@@ -2,11 +2,12 @@
 
 use super::grade::{Graded, Verdict};
 use super::key::{Entry, Key};
+use crate::calculation::Calculation;
 use crate::machine::Machine;
 use crate::provenance::VERSION;
 use crate::source::Source;
 use mechanics::Model;
-use mechanics::model::{AnswerDecl, Class as Dependence, ParameterDecl, ParameterValue};
+use mechanics::model::{AnswerDecl, Class as Dependence, CoordinateDecl, ParameterDecl, ParameterValue};
 use mechanics::units::parse_number_or_quantity;
 use report::table::Column;
 use report::{Block, Cell, Document, Table};
@@ -40,18 +41,19 @@ fn document(model: &Model, (source, entry): (&Source, &Entry), blocks: Vec<Block
     }
 }
 
-/// The task: description, data, questions. Without a machine it says why there is none.
-pub fn task(model: &Model, machine: Option<&Machine>, (source, entry): (&Source, &Entry), language: Language) -> Document {
+/// The task: description, data, what the machine is made of with the laws of its loads, questions. Without a machine it says why there is none.
+pub fn task(model: &Model, calculation: Option<&Calculation>, (source, entry): (&Source, &Entry), language: Language) -> Document {
     let mut blocks = vec![whose(entry, language)];
     let given = language.text(&model.description);
     blocks.push(Block::heading(1, language.pick("Given", "Дано")));
     if !given.is_empty() {
         blocks.push(Block::paragraph(given));
     }
-    match machine {
-        Some(machine) if entry.failure.is_empty() => {
-            blocks.extend(crate::scheme::figure(machine, language));
-            blocks.push(Block::Table(data(machine, language)));
+    match calculation {
+        Some(calculation) if entry.failure.is_empty() => {
+            blocks.extend(crate::scheme::figure(&calculation.machine, language));
+            blocks.push(Block::Table(data(&calculation.machine, language)));
+            blocks.extend(crate::written::given(calculation, language));
             blocks.push(Block::heading(1, language.pick("To be found", "Требуется определить")));
             blocks.push(Block::Table(questions(&model.answers, language)));
         }
@@ -68,8 +70,37 @@ fn failed(entry: &Entry, language: Language) -> [Block; 2] {
     [Block::paragraph(words), Block::paragraph(format!("{}: {}", language.pick("Reason", "Причина"), entry.failure))]
 }
 
-/// The data: numbers that students begin with, not what follows from them or is asked for.
+/// The data as a table.
 fn data(machine: &Machine, language: Language) -> Table {
+    let heads = [language.pick("quantity", "величина"), language.pick("symbol", "обозначение"), language.pick("value", "значение")];
+    let mut table = Table::new(heads.map(Column::new).into()).with_caption(language.pick("Data", "Исходные данные"));
+    for Datum { label, symbol, value } in quantities(machine, language) {
+        table.row(vec![Cell::words(label), Cell::symbol(symbol), Cell::words(value)]);
+    }
+    table
+}
+
+/// What is given, in a line: the description of the machine and its data.
+pub fn given(machine: &Machine, language: Language) -> String {
+    let data: Vec<String> = quantities(machine, language)
+        .into_iter()
+        .map(
+            |d| if d.label.is_empty() { format!("{} = {}", d.symbol, d.value) } else { format!("{}: {} = {}", d.label, d.symbol, d.value) },
+        )
+        .collect();
+    let description = language.text(&machine.model.description).trim();
+    [description.to_owned(), data.join("; ")].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// A number that students begin with.
+struct Datum {
+    label: String,
+    symbol: String,
+    value: String,
+}
+
+/// Numbers that students begin with, not what follows from them or is asked for.
+fn quantities(machine: &Machine, language: Language) -> Vec<Datum> {
     let model = &machine.model;
     let asked = |p: &ParameterDecl| model.answers.iter().any(|a| a.gives.as_ref() == Some(&p.name)) || model.unknowns.contains(&p.symbol);
     let index = |p: &ParameterDecl| {
@@ -77,35 +108,60 @@ fn data(machine: &Machine, language: Language) -> Table {
         variants.is_some_and(|v| v.number.as_ref() == Some(&p.name) || v.group_parameter.as_ref() == Some(&p.name))
     };
     let number = |p: &&ParameterDecl| p.class == Dependence::Constant && matches!(p.value, ParameterValue::Number { .. });
-    let heads = [language.pick("quantity", "величина"), language.pick("symbol", "обозначение"), language.pick("value", "значение")];
-    let mut table = Table::new(heads.map(Column::new).into()).with_caption(language.pick("Data", "Исходные данные"));
     let symbol = |name: &str| model.notation.iter().find(|(n, _)| n == name).map_or_else(|| name.to_owned(), |(_, s)| s.clone());
     let set = |name: &str| machine.origin.overrides.iter().find(|(n, _)| n == name).map(|(_, text)| text.as_str());
+    let mut found = Vec::new();
     for p in model.parameters.iter().filter(number).filter(|p| !asked(p) && !index(p)) {
         let written = set(&p.name).unwrap_or(&p.written);
         let value = shown(written, (p.number, &p.unit), language);
-        table.row(vec![Cell::words(language.text(&p.label)), Cell::symbol(symbol(&p.name)), Cell::words(value)]);
+        found.push(Datum { label: language.text(&p.label).to_owned(), symbol: symbol(&p.name), value });
     }
+    found.extend(gravity(model, language));
     for c in &model.coordinates {
         for (order, words) in [("", ("at the start", "в начальный момент")), ("'", ("rate at the start", "скорость в начальный момент"))]
         {
             let name = format!("{}{order}", c.name);
-            if let Some(written) = set(&name) {
+            if let Some(written) = set(&name).map(str::to_owned).or_else(|| stands(machine, c, order.len())) {
                 let label = [language.text(&c.label), language.pick(words.0, words.1)].join(", ");
-                let value = shown(written, (None, &c.units[order.len()]), language);
-                table.row(vec![
-                    Cell::words(label.trim_start_matches(", ")),
-                    Cell::symbol(format!("{}{order}(0)", symbol(&c.name))),
-                    Cell::words(value),
-                ]);
+                let value = shown(&written, (None, &c.units[order.len()]), language);
+                let label = label.trim_start_matches(", ").to_owned();
+                found.push(Datum { label, symbol: format!("{}{order}(0)", symbol(&c.name)), value });
             }
         }
     }
-    table
+    found
+}
+
+/// The start (0) or the rate at the start (1) that the file gives a motion, as a quantity.
+fn stands(machine: &Machine, c: &CoordinateDecl, order: usize) -> Option<String> {
+    let model = &machine.model;
+    let moves = model.studies.iter().any(|s| matches!(s.kind, "simulate" | "transient" | "poincare"));
+    // what is not given is zero where no connection decides it
+    let decided = c.given[order] || (machine.equations.conditions.is_empty() && !c.guessed[order]);
+    if !moves || !decided {
+        return None;
+    }
+    let of = |s| model.parameters.iter().find(|p| p.symbol == s).and_then(|p| p.number).unwrap_or(f64::NAN);
+    let value = model.graph.evaluate(&[[c.start, c.rate][order]], &of)[0];
+    let unit = if c.units[order] == "1" { "" } else { &c.units[order] };
+    value.is_finite().then(|| if value == 0.0 { format!("0 {unit}") } else { format!("{value} {unit}") })
+}
+
+/// The acceleration of gravity where it acts and no parameter gives it.
+fn gravity(model: &Model, language: Language) -> Option<Datum> {
+    let vector = model.gravity?;
+    if model.parameters.iter().any(|p| p.name == "g") || !model.graph.symbols_in(&vector).is_empty() {
+        return None;
+    }
+    let parts = model.graph.evaluate(&vector, &|_| f64::NAN);
+    let size = parts.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let label = language.pick("acceleration of gravity", "ускорение свободного падения").to_owned();
+    let value = report::number::with_unit(&report::number::short(size, DIGITS, language), &report::unit::print("m/s^2", language));
+    (size > 0.0).then(|| Datum { label, symbol: "g".into(), value })
 }
 
 /// A value as it is written, where a person wrote it; a computed one with five digits.
-pub(super) fn shown(written: &str, (number, unit): (Option<f64>, &str), language: Language) -> String {
+fn shown(written: &str, (number, unit): (Option<f64>, &str), language: Language) -> String {
     let spaced = |number: String, unit: &str| report::number::with_unit(&number, &report::unit::print(unit, language));
     if let Ok(quantity) = parse_number_or_quantity(written) {
         let own = written.trim_start_matches(|c: char| c.is_ascii_digit() || "+-−.,eE \u{a0}".contains(c));

@@ -112,7 +112,7 @@ impl Finder<'_, '_> {
     fn among(&self, number: &Observable, of: Option<&str>) -> Option<Result<(f64, String), Notice>> {
         let mut trouble = None;
         let stripped = number.root().and_then(|path| path.split_once('.'));
-        for results in self.results.iter().filter(|r| of.is_none_or(|of| r.kind == of)) {
+        for results in fitting(&self.results, number).into_iter().filter(|r| of.is_none_or(|of| r.kind == of)) {
             let inside = stripped.filter(|(kind, _)| *kind == results.kind).map(|(_, rest)| Observable::field(rest));
             for wanted in [Some(number.clone()), inside].into_iter().flatten() {
                 if let Some(unit) = unit(results, &wanted, &self.machine.model)
@@ -198,6 +198,18 @@ impl Finder<'_, '_> {
         let row = axis.iter().rposition(|x| *x == t)?;
         results.data.column(column)?.values.get(row).copied()
     }
+}
+
+/// Results that a number may come from, in their order: a greatest, least, mean or last value is one of a motion, or where there is none of rows along
+/// another axis, never of places of rest.
+fn fitting<'r>(results: &'r [Results], number: &Observable) -> Vec<&'r Results> {
+    if number.column().is_none() {
+        return results.iter().collect();
+    }
+    let axis = |r: &&Results| r.data.axis.and_then(|i| r.data.columns.get(i)).map(|c| c.quantity.name.clone());
+    let (moving, rows): (Vec<&Results>, Vec<&Results>) =
+        results.iter().filter(|r| axis(r).is_some() || r.trouble.is_some()).partition(|r| axis(r).is_none_or(|name| name == "t"));
+    moving.into_iter().chain(rows).collect()
 }
 
 /// A column just before and just after an event at this instant.

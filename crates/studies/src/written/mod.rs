@@ -155,6 +155,14 @@ fn is_wanted(report: &mechanics::model::Report, chapter: &Chapter) -> bool {
     }
 }
 
+/// What the machine is made of, as tables: bodies, connections, elements and loads with their laws, rods.
+pub fn given(calculation: &Calculation, language: Language) -> Vec<Block> {
+    let work = Work::new(calculation, language);
+    let mut pen = Pen::new(language);
+    statement::parts(&work, &mut pen);
+    pen.blocks.into_iter().filter(|block| matches!(block, Block::Table(_))).collect()
+}
+
 /// The written calculation.
 pub fn compose(calculation: &Calculation, language: Language) -> Document {
     let work = Work::new(calculation, language);

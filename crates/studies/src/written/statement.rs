@@ -22,6 +22,11 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
 fn given(work: &Work, pen: &mut Pen) {
     let description = work.text(&work.model.description);
     description.split('\n').filter(|p| !p.trim().is_empty()).for_each(|paragraph| pen.say(paragraph));
+    parts(work, pen);
+}
+
+/// Bodies, connections, elements, rods.
+pub(super) fn parts(work: &Work, pen: &mut Pen) {
     let tables = [(work.bodies(), Word::Bodies), (work.connections(), Word::Connected), (work.elements(), Word::Elements)];
     for (table, caption) in tables {
         if let Some(table) = table {

@@ -374,6 +374,26 @@ pub fn not_on_the_rope(connection: &Connection, rope: &str) -> Box<Notice> {
     Box::new(fault)
 }
 
+/// M125: one friction at a point that the rope passes more than once.
+pub fn passed_twice(connection: &Connection, rope: &str) -> Box<Notice> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M125",
+        format!("`frictions.{name}`: the path of `{rope}` passes a point of `over` more than once"),
+        format!("`frictions.{name}`: путь каната `{rope}` проходит точку из `over` несколько раз"),
+    )
+    .why(
+        "each passage has tensions of its own before and behind it, one friction has one pair",
+        "у каждого прохода свои натяжения до и после, а у одного трения только одна пара",
+    )
+    .help(
+        "give each passage a point of its own at the same place, and a friction over each",
+        "задайте для каждого прохода свою точку в том же месте и трение на каждой",
+    );
+    Box::new(fault)
+}
+
 /// What a plane gives and space does not.
 pub fn directions_in_space(connection: &Connection) -> Box<Notice> {
     let name = &connection.name;

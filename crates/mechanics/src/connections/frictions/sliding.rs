@@ -322,6 +322,10 @@ fn belt(
     let ConnectionKind::Rope { path, wound, .. } = &rope.kind else { return Err(faults::unpressed(connection)) };
     let index = |p: PointRef| path.iter().position(|own| *own == p);
     let inside = |[a, b]: [usize; 2]| 0 < a && a <= b && b + 1 < path.len();
+    // each passage has tensions of its own
+    if over.iter().any(|p| path.iter().filter(|own| *own == p).count() > 1) {
+        return Err(faults::passed_twice(connection, &rope.name));
+    }
     let Some(ends) = index(over[0]).zip(index(over[1])).map(|(a, b)| [a, b]).filter(|ends| inside(*ends) && wound.is_empty()) else {
         return Err(faults::not_on_the_rope(connection, &rope.name));
     };
@@ -340,8 +344,10 @@ fn belt(
         Some(wrap) => resolver.resolve(scene, kinematics, wrap)?,
         None if is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
         None => {
-            let runs = [[path[ends[0] - 1], path[ends[0]]], [path[ends[1]], path[ends[1] + 1]]];
-            turned(scene, kinematics, runs)
+            // the first and the last direction alone do not tell 90° from 270°, nor that an S rubs at both of its bends
+            let turns: Vec<Expr> =
+                (ends[0]..=ends[1]).map(|k| turned(scene, kinematics, [[path[k - 1], path[k]], [path[k], path[k + 1]]])).collect();
+            scene.graph.sum(&turns)
         }
     };
     // behind the drum: the rope's own tension, less what later drums of the same rope take
@@ -371,7 +377,7 @@ fn run(scene: &mut Scene, kinematics: &mut Kinematics, [a, b]: [PointRef; 2]) ->
     (size, between.map(|e| scene.graph.div(e, size)))
 }
 
-/// Angle by which a rope turns between two runs, 0 ... 2π: π − atan2(s c, −d) with the sine c and the cosine d of the turn, s the sign of c at the
+/// Angle by which a rope turns from one run to the next, 0 ... 2π: π − atan2(s c, −d) with the sine c and the cosine d of the turn, s the sign of c at the
 /// start. Runs that are parallel at the start make half a turn when they stay so.
 fn turned(scene: &mut Scene, kinematics: &mut Kinematics, runs: [[PointRef; 2]; 2]) -> Expr {
     let [(_, u), (_, w)] = runs.map(|pair| run(scene, kinematics, pair));
