@@ -87,7 +87,24 @@ impl Cell {
         let format = Format::of_column(values, digits);
         values.iter().map(|&x| Cell::Number(format.show(x, language))).collect()
     }
+
+    /// The same for a column whose signs decide: a value that these decimals would show as zero stands with its own first digits.
+    pub fn column_of_signs(values: &[f64], digits: usize, language: Language) -> Vec<Cell> {
+        let format = Format::of_column(values, digits);
+        let zero = format.show(0.0, language);
+        let rounding = ROUNDING * values.iter().filter(|x| x.is_finite()).fold(0.0_f64, |m, x| m.max(x.abs()));
+        let shown = |x: f64| match format.show(x, language) {
+            lost if x.abs() > rounding && lost == zero => Format::Significant(SIGN_DIGITS).show(x, language),
+            shown => shown,
+        };
+        values.iter().map(|&x| Cell::Number(shown(x))).collect()
+    }
 }
+
+/// Digits of a number that is shown for its sign.
+const SIGN_DIGITS: usize = 2;
+/// Share of the largest value of a column below which a sign is that of rounding.
+const ROUNDING: f64 = 1e-12;
 
 impl Table {
     /// An empty table with these columns.
@@ -119,4 +136,18 @@ impl Table {
 /// A printed number cut before its decimal mark, or before its power of ten when it has no mark.
 pub fn split_number(number: &str) -> (&str, &str) {
     number.split_at(number.find([',', '.', '·']).unwrap_or(number.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_that_decides_is_never_rounded_away() {
+        let shown = |cells: Vec<Cell>| -> Vec<String> {
+            cells.into_iter().map(|c| if let Cell::Number(n) = c { n } else { String::new() }).collect()
+        };
+        assert_eq!(shown(Cell::column_of_signs(&[12.5, -4.529e-5, 0.0], 4, Language::En)), ["12.50", "−4.5·10⁻⁵", "0.00"]);
+        assert_eq!(shown(Cell::column(&[12.5, -4.529e-5], 4, Language::En)), ["12.50", "0.00"]);
+    }
 }

@@ -103,12 +103,21 @@ fn only_strand(equations: &Equations, name: &str) -> Option<(String, f64)> {
 
 /// The start of the motion with some coordinates replaced, as a place to search from.
 pub fn guesses(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) -> analysis::studies::equilibrium::Equilibrium {
+    let guesses = if guess.is_empty() { Vec::new() } else { vec![guessed(equations, start, guess)] };
+    analysis::studies::equilibrium::Equilibrium { guesses, ..Default::default() }
+}
+
+/// The start with some coordinates replaced; where connections close chains, the others follow if they can.
+pub fn guessed(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) -> Vec<f64> {
+    let position = |symbol: SymbolId| equations.coordinates.iter().position(|c| c.symbols[0] == symbol);
+    let held: Vec<(usize, f64)> = guess.iter().filter_map(|(symbol, value)| Some((position(*symbol)?, *value))).collect();
     let mut place = start[..equations.coordinates.len().min(start.len())].to_vec();
-    for (q, coordinate) in place.iter_mut().zip(&equations.coordinates) {
-        if let Some((_, value)) = guess.iter().find(|(symbol, _)| *symbol == coordinate.symbols[0]) {
-            *q = *value;
+    if !equations.conditions.is_empty() && held.len() < place.len() {
+        let parameters: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        if let Some(closed) = analysis::connections::closed_guess(equations, &parameters, &held) {
+            return closed;
         }
     }
-    let guesses = if guess.is_empty() { Vec::new() } else { vec![place] };
-    analysis::studies::equilibrium::Equilibrium { guesses, ..Default::default() }
+    held.iter().for_each(|(j, value)| place[*j] = *value);
+    place
 }

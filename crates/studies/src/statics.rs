@@ -9,6 +9,7 @@ use crate::results::finite::checked;
 use crate::watch::Watch;
 use analysis::Dataset;
 use analysis::dataset::Audit;
+use analysis::rest::mean::Resting;
 use analysis::studies::statics::{Statics as Rest, statics};
 use mechanics::asked::{Asked, Kind};
 use serde_json::{Value, json};
@@ -36,7 +37,7 @@ impl Study for Statics {
 }
 
 fn of_bodies(machine: &mut Machine) -> Results {
-    let judged = statics(&machine.equations).and_then(|found| {
+    let judged = at_rest(machine).and_then(|found| {
         let of = |name: &str| found.reactions.iter().filter(|r| r.quantity.name == name).filter_map(|r| r.value).collect();
         crate::strands::pushing(machine, of).map_or(Ok(found), Err)
     });
@@ -45,6 +46,17 @@ fn of_bodies(machine: &mut Machine) -> Results {
         Err(fault) => Results::failed("statics", heading(), Notice::from(fault)),
     };
     checked(results)
+}
+
+/// At t = 0; where unknowns were found for which the machine rests under the means of its loads, under these means.
+fn at_rest(machine: &Machine) -> Result<Rest, analysis::Fault> {
+    if machine.model.unknowns.is_empty() {
+        return statics(&machine.equations);
+    }
+    let resting = Resting::new(&machine.equations)?;
+    let mut found = statics(resting.equations())?;
+    found.notes.extend(crate::small::timing_notes(resting.timing));
+    Ok(found)
 }
 
 fn heading() -> Text {

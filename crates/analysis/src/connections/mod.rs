@@ -8,6 +8,7 @@ mod apart;
 mod bench;
 mod choice;
 mod closing;
+mod guess;
 mod level;
 mod lowered;
 mod piecewise;
@@ -26,6 +27,7 @@ use crate::Fault;
 use bench::Bench;
 
 pub(crate) use bench::listed;
+pub use guess::closed_guess;
 pub use lowered::conditions;
 pub(crate) use piecewise::{is_bent, is_piecewise};
 pub use starts::settle_starts;

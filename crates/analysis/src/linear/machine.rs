@@ -11,8 +11,9 @@ use words::Text;
 
 use super::matrices::{Harmonic, Matrices, settle};
 use crate::naming::notation;
-use crate::rest::near::Near;
+use crate::rest::near::{Found, Near};
 use crate::rest::search::{Statics, rest_near};
+use crate::rest::system::ROUNDED;
 use crate::waveform::Shape;
 use crate::{Fault, Quantity};
 use algebra::lu::Lu;
@@ -387,6 +388,20 @@ impl LinearMachine {
         if self.linear.conditions.is_empty() {
             return Ok(Place::rest(&rest_near(self, q)?));
         }
+        self.with_near(|near, values| near.settle(values, q))
+    }
+
+    /// The place nearest to q that the connections allow, with the reactions that balance best there.
+    ///
+    /// *Errors*: S007 where there is none; S035 where a prescribed motion holds a coordinate.
+    pub fn drawn(&mut self, q: &[f64]) -> Result<Place, Fault> {
+        if self.linear.conditions.is_empty() {
+            return Ok(Place::rest(q));
+        }
+        self.with_near(|near, values| near.drawn(values, q))
+    }
+
+    fn with_near(&mut self, find: impl FnOnce(&mut Near, &[f64]) -> Result<Found, Fault>) -> Result<Place, Fault> {
         if self.linear.multipliers.len() != self.linear.conditions.len() {
             return Err(driven());
         }
@@ -394,7 +409,7 @@ impl LinearMachine {
             Some(near) => near,
             None => Box::new(Near::new(&self.equations)?),
         };
-        let found = near.settle(&self.values, q);
+        let found = find(&mut near, &self.values);
         self.near = Some(near);
         let (q, reactions) = found?;
         let of = |symbol: &SymbolId| reactions.iter().find(|(s, _)| s == symbol).map_or(0.0, |r| r.1);
@@ -556,6 +571,14 @@ impl Statics for LinearMachine {
         forces.copy_from_slice(&found.matrices.force);
         derivatives.iter_mut().zip(&found.matrices.stiffness).for_each(|(d, c)| *d = -c);
         Ok(())
+    }
+    fn unit(&self, i: usize) -> &str {
+        &self.names[i].unit
+    }
+    fn terms(&self) -> Vec<f64> {
+        // the forces stand behind M, B and C
+        let n = self.names.len();
+        self.evaluator.root_roundings()[3 * n * n..3 * n * n + n].iter().map(|bound| bound / ROUNDED).collect()
     }
 }
 

@@ -89,6 +89,7 @@ fn from(
             all.extend(kept.iter().map(|j| Row {
                 value: z[*j] - start[*j],
                 slopes: (0..z.len()).map(|i| if i == *j { 1.0 } else { 0.0 }).collect(),
+                terms: 1.0,
                 is_force: false,
             }));
             all
@@ -99,7 +100,7 @@ fn from(
             continue;
         }
         let Ok(all) = system.at(&z) else { continue };
-        if worst(&choose(&all, &z), &z, system.n) > UNBALANCED || limits.iter().any(|limit| limit.is_turned(&all)) {
+        if worst(&choose(&all, &z), &z) > UNBALANCED || limits.iter().any(|limit| limit.is_turned(&all)) {
             continue;
         }
         if matches!(hold(equations, &system, &all, &z).judge(), Holds::Between(_)) {

@@ -17,6 +17,7 @@ pub mod path;
 pub mod places;
 pub(crate) mod rows;
 pub mod search;
+pub mod sizes;
 pub mod system;
 pub mod unknowns;
 

@@ -3,12 +3,14 @@
 use symbolic::{Equations, SymbolId};
 
 use super::mean::Resting;
-use super::newton::{balance, solve, worst};
-use super::places::rest_rows;
+use super::newton::{RESIDUAL, balance, solve, worst};
+use super::places::{draw, rest_rows, tangents_of};
 use super::search::no_equilibrium;
 use super::system::{Parts, RestSystem};
 use crate::Fault;
 use crate::connections::assemble;
+use algebra::lu::Lu;
+use algebra::qr::norm;
 
 /// Remainder of the equations where a place rests as it is, when Newton's method makes it no better.
 const RESTS: f64 = 1e-12;
@@ -39,29 +41,85 @@ impl Near {
         Ok(Near { resting, system })
     }
 
+    fn set(&mut self, parameters: &[f64]) -> Result<(), Fault> {
+        let values = self.resting.values(parameters)?;
+        let start = if self.system.has_paths() { assemble(self.resting.equations(), &values)?.start } else { Vec::new() };
+        self.system.set(&values, &start)
+    }
+
+    /// The place nearest to q that the connections allow, with the reactions that balance best there.
+    ///
+    /// *Errors*: S007 where none is found.
+    pub fn drawn(&mut self, parameters: &[f64], q: &[f64]) -> Result<Found, Fault> {
+        self.set(parameters)?;
+        let mut place = q.to_vec();
+        draw(&mut self.system, &mut place, None).ok_or_else(no_equilibrium)?;
+        let mut z = self.system.z(&place);
+        balance(&mut self.system, &mut z)?;
+        Ok(self.found(&z))
+    }
+
+    fn found(&self, z: &[f64]) -> Found {
+        let n = self.system.n;
+        let symbol = |r: &usize| self.resting.equations().reactions[*r].symbol;
+        (z[..n].to_vec(), self.system.reactions.iter().map(symbol).zip(z[n..].iter().copied()).collect())
+    }
+
     /// The place of rest near q for these parameters.
     ///
     /// *Errors*: S007 when Newton's method finds none.
     pub fn settle(&mut self, parameters: &[f64], q: &[f64]) -> Result<Found, Fault> {
-        let values = self.resting.values(parameters)?;
-        let start = if self.system.has_paths() { assemble(self.resting.equations(), &values)?.start } else { Vec::new() };
-        self.system.set(&values, &start)?;
-        let n = self.system.n;
+        self.set(parameters)?;
         let mut z = self.system.z(q);
         balance(&mut self.system, &mut z)?;
         let rows = self.system.at(&z)?;
-        let remainder = worst(&rest_rows(&rows, &z), &z, n);
+        let remainder = worst(&rest_rows(&rows, &z), &z);
         if remainder > 0.0 {
             let free: Vec<usize> = (0..self.system.width()).collect();
             let mut better = z.clone();
             match solve(&mut self.system, &mut better, &free, &rest_rows)? {
                 Some(_) => z = better,
                 None if remainder <= RESTS => {}
-                None => return Err(no_equilibrium()),
+                None => z = self.along(q).ok_or_else(no_equilibrium)?,
             }
         }
-        let symbol = |r: &usize| self.resting.equations().reactions[*r].symbol;
-        let reactions = self.system.reactions.iter().map(symbol).zip(z[n..].iter().copied()).collect();
-        Ok((z[..n].to_vec(), reactions))
+        Ok(self.found(&z))
+    }
+
+    /// Newton's method along the surface of the connections, from a guess near a place of rest.
+    ///
+    /// Beside a dead position reactions are as 1/u with the distance u, and in (q, λ) the method converges only where the conditions hold to u³. On the surface
+    /// nothing grows: y along it follows from Zᵀ(C + Σ λ ∂²c) Z y = Zᵀ h, and every place is drawn back.
+    fn along(&mut self, q: &[f64]) -> Option<Vec<f64>> {
+        let n = self.system.n;
+        let (mut q, mut before) = (q.to_vec(), f64::INFINITY);
+        for _ in 0..ALONG {
+            draw(&mut self.system, &mut q, None)?;
+            let mut z = self.system.z(&q);
+            balance(&mut self.system, &mut z).ok()?;
+            let rows = self.system.at(&z).ok()?;
+            let basis = tangents_of(&rows, n);
+            let k = basis.len();
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let turned: Vec<Vec<f64>> = basis.iter().map(|t| rows.forces.iter().map(|r| dot(&r.slopes[..n], t)).collect()).collect();
+            let matrix: Vec<f64> = (0..k * k).map(|p| -dot(&basis[p / k], &turned[p % k])).collect();
+            let force: Vec<f64> = rows.forces.iter().map(|r| r.value).collect();
+            let right: Vec<f64> = basis.iter().map(|t| dot(t, &force)).collect();
+            let y = if k == 0 { Vec::new() } else { Lu::new(&matrix, k).solve(&right)? };
+            let length = norm(&y);
+            let standing = length <= 1e-14 * norm(&q) || length >= before;
+            if standing && worst(&rest_rows(&rows, &z), &z) <= RESIDUAL {
+                return Some(z);
+            }
+            if length >= before || !length.is_finite() {
+                return None;
+            }
+            q.iter_mut().enumerate().for_each(|(i, q)| *q += basis.iter().zip(&y).map(|(t, y)| t[i] * y).sum::<f64>());
+            before = length;
+        }
+        None
     }
 }
+
+/// Steps along the surface.
+const ALONG: usize = 30;

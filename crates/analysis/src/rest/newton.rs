@@ -10,26 +10,27 @@ const LONGEST: f64 = 0.5;
 /// Row relative to the terms that meet in it.
 pub(crate) const RESIDUAL: f64 = 1e-10;
 
+/// The same where Newton's method ends: beside a fold, or a dead position of a linkage, a place that is open by more can rest where no closed one does.
+const SOLVED: f64 = 1e-12;
 /// Smallest share of the largest force to which a force is compared.
 const SHARE: f64 = 1e-3;
 
-/// Σ |∂row/∂z_j| |z_j|, coordinates counted as at least 1 rad or 1 m.
-fn size(row: &Row, z: &[f64], n: usize) -> f64 {
-    let term = |(j, s): (usize, &f64)| s.abs() * if j < n { z[j].abs().max(1.0) } else { z[j].abs() };
-    row.slopes.iter().enumerate().map(term).sum()
+/// Σ |∂row/∂z_j| |z_j| and the terms that cancel in the row.
+fn size(row: &Row, z: &[f64]) -> f64 {
+    row.terms + row.slopes.iter().zip(z).map(|(s, z)| (s * z).abs()).sum::<f64>()
 }
 
 /// Value of a row relative to the terms that meet in it.
-pub(super) fn relative(row: &Row, z: &[f64], n: usize) -> f64 {
-    if row.value == 0.0 { 0.0 } else { row.value.abs() / size(row, z, n) }
+pub(super) fn relative(row: &Row, z: &[f64]) -> f64 {
+    if row.value == 0.0 { 0.0 } else { row.value.abs() / size(row, z) }
 }
 
 /// The largest of these; forces are compared with the largest force too.
-pub(crate) fn worst(rows: &[Row], z: &[f64], n: usize) -> f64 {
-    let largest = rows.iter().filter(|r| r.is_force).fold(0.0_f64, |m, r| m.max(size(r, z, n)));
+pub(crate) fn worst(rows: &[Row], z: &[f64]) -> f64 {
+    let largest = rows.iter().filter(|r| r.is_force).fold(0.0_f64, |m, r| m.max(size(r, z)));
     rows.iter().fold(0.0_f64, |m, row| {
         let floor = if row.is_force { SHARE * largest } else { 0.0 };
-        m.max(if row.value == 0.0 { 0.0 } else { row.value.abs() / size(row, z, n).max(floor) })
+        m.max(if row.value == 0.0 { 0.0 } else { row.value.abs() / size(row, z).max(floor) })
     })
 }
 
@@ -43,16 +44,12 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
     let n = system.n;
     let mut rows = choose(&system.at(z)?, z);
     for _ in 0..STEPS {
-        let scale: Vec<f64> = rows.iter().map(|r| free.iter().fold(0.0_f64, |m, j| m.max(r.slopes[*j].abs()))).collect();
-        let weight = |i: usize| if scale[i] > 0.0 { 1.0 / scale[i] } else { 1.0 };
-        let (m, k) = (rows.len(), free.len());
-        let matrix: Vec<f64> = (0..m * k).map(|p| rows[p / k].slopes[free[p % k]] * weight(p / k)).collect();
-        let right: Vec<f64> = (0..m).map(|i| -rows[i].value * weight(i)).collect();
-        let before = norm(&right);
-        if before == 0.0 || k == 0 {
+        let (step, weights) = full_step(&rows, free);
+        let length = |rows: &[Row]| norm(&rows.iter().zip(&weights).map(|(r, w)| r.value * w).collect::<Vec<_>>());
+        let before = length(&rows);
+        if before == 0.0 || free.is_empty() {
             break;
         }
-        let (step, _) = Qr::new(&matrix, m, k).least_squares(&right);
         let longest = step.iter().zip(free).filter(|(_, j)| **j < n).fold(0.0_f64, |l, (s, _)| l.max(s.abs()));
         let mut share = if longest > LONGEST { LONGEST / longest } else { 1.0 };
         let accepted = loop {
@@ -60,7 +57,7 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
             free.iter().zip(&step).for_each(|(j, s)| next[*j] += share * s);
             let there = system.at(&next).map(|all| choose(&all, &next));
             if let Ok(there) = there {
-                let after = norm(&there.iter().enumerate().map(|(i, r)| r.value * weight(i)).collect::<Vec<_>>());
+                let after = length(&there);
                 if after < (1.0 - 0.1 * share) * before || (share == 1.0 && after < before) {
                     rows = there;
                     *z = next;
@@ -78,7 +75,34 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
         }
     }
     rows = choose(&system.at(z)?, z);
-    Ok((worst(&rows, z, n) <= RESIDUAL).then_some(rows))
+    Ok((worst(&rows, z) <= SOLVED && stands(&rows, z, free, n)).then_some(rows))
+}
+
+/// Share of the largest force by which a further step may change the reactions.
+const STANDS: f64 = 1e-2;
+
+/// Whether the reactions have come to stand. In a dead position of a linkage c ~ u v with u λ finite: every place near it solves the equations to any limit as
+/// u, v → 0 and λ → ∞, and Newton's method goes on doubling λ there.
+fn stands(rows: &[Row], z: &[f64], free: &[usize], n: usize) -> bool {
+    let largest = rows.iter().filter(|r| r.is_force).fold(0.0_f64, |m, r| m.max(size(r, z)));
+    let (step, _) = full_step(rows, free);
+    let reactions = || free.iter().zip(&step).filter(|(j, _)| **j >= n);
+    rows.iter().filter(|r| r.is_force).all(|r| reactions().all(|(j, s)| (r.slopes[*j] * s).abs() <= STANDS * largest))
+}
+
+/// Newton's step of least squares in weighted rows, and the weights.
+fn full_step(rows: &[Row], free: &[usize]) -> (Vec<f64>, Vec<f64>) {
+    let weights: Vec<f64> = rows.iter().map(|r| weight(r, free)).collect();
+    let (m, k) = (rows.len(), free.len());
+    let matrix: Vec<f64> = (0..m * k).map(|p| rows[p / k].slopes[free[p % k]] * weights[p / k]).collect();
+    let right: Vec<f64> = (0..m).map(|i| -rows[i].value * weights[i]).collect();
+    let step = if k == 0 { Vec::new() } else { Qr::new(&matrix, m, k).least_squares(&right).0 };
+    (step, weights)
+}
+
+fn weight(row: &Row, free: &[usize]) -> f64 {
+    let scale = free.iter().fold(0.0_f64, |m, j| m.max(row.slopes[*j].abs()));
+    if scale > 0.0 { 1.0 / scale } else { 1.0 }
 }
 
 /// Reactions that balance best at these coordinates, put into z.

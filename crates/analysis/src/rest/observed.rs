@@ -29,12 +29,40 @@ const NOISE: f64 = 1e-14;
 
 /// Completes the reactions of a place (one for each of the equations; none: open) by those that the balances determine.
 pub fn complete(equations: &Equations, (parameters, q): (&[f64], &[f64]), reactions: &mut [Option<f64>]) {
+    complete_with(equations, &Numbers::at_rest(equations, parameters, q), reactions);
+}
+
+/// Reactions that differ by less than this share of the largest at several instants stand still.
+const STILL: f64 = 1e-9;
+
+/// The same from the equations of motion, for machines that stand still in a turning frame: means of balances in ground axes say nothing there, because the
+/// directions of the reactions turn with the loads. What is the same at all instants is taken.
+pub fn complete_turning(motion: &Equations, (parameters, q): (&[f64], &[f64]), reactions: &mut [Option<f64>]) {
+    if reactions.iter().all(Option::is_some) || !motion.auxiliaries.iter().any(|a| !motion.graph.is_zero(a.rate)) {
+        return;
+    }
+    let own = &parameters[..motion.parameters.len()];
+    let at = |time: &f64| {
+        let mut list = reactions.to_vec();
+        complete_with(motion, &Numbers::at(motion, (own, q), *time), &mut list);
+        list
+    };
+    let instants: Vec<Vec<Option<f64>>> = LATER.iter().map(at).collect();
+    let largest = instants.iter().flatten().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
+    for (r, reaction) in reactions.iter_mut().enumerate().filter(|(_, value)| value.is_none()) {
+        let first = instants[0][r];
+        let same = |list: &Vec<Option<f64>>| list[r].zip(first).is_some_and(|(a, b)| (a - b).abs() <= STILL * largest);
+        *reaction = first.filter(|_| instants.iter().all(same));
+    }
+}
+
+fn complete_with(equations: &Equations, numbers: &Numbers, reactions: &mut [Option<f64>]) {
     let unknown: Vec<usize> = (0..reactions.len()).filter(|r| reactions[*r].is_none()).collect();
     if unknown.is_empty() || equations.balances.is_empty() {
         return;
     }
-    let numbers = Numbers::at_rest(equations, parameters, q);
-    let (n, rows) = (q.len(), q.len() + equations.balances.len());
+    let n = equations.coordinates.len();
+    let rows = n + equations.balances.len();
     let mut right: Vec<f64> = equations
         .force
         .iter()

@@ -31,6 +31,8 @@ const TRIES: usize = 4;
 const STRIDE: f64 = 0.01;
 /// A reaction below this share of the other forces is rounding.
 const NOISE: f64 = 1e-14;
+/// Distance of two places that are one, relative to the sizes of the coordinates.
+const ONE: f64 = 1e-7;
 /// Steps along a curve to either side.
 const STRIDES: usize = 20_000;
 
@@ -69,7 +71,7 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
         let system = RestSystem::new(equations, parts, parameters)?.anchored(equations, start)?;
         wandering = system.wandering();
         let angles = equations.coordinates.iter().map(|c| c.unit == "rad").collect();
-        let mut search = Search { equations, system, closed, angles, found: &mut found };
+        let mut search = Search { equations, system, closed, angles, start: start[..n].to_vec(), found: &mut found };
         search.run(&start[..n], options)?;
     }
     if let Some(c) = wandering.first() {
@@ -104,6 +106,7 @@ struct Search<'s> {
     system: RestSystem,
     closed: Vec<usize>,
     angles: Vec<bool>,
+    start: Vec<f64>,
     found: &'s mut Places,
 }
 
@@ -120,7 +123,7 @@ impl Search<'_> {
         }
         let Some(range) = options.over else { return Ok(()) };
         let mut on_surface = start.to_vec();
-        if self.draw(&mut on_surface, None).is_none() {
+        if draw(&mut self.system, &mut on_surface, None).is_none() {
             return Ok(());
         }
         match self.tangents(&on_surface).map(|t| t.len()) {
@@ -142,7 +145,7 @@ impl Search<'_> {
             return;
         }
         // a place that rests already is not moved
-        let resting = self.system.at(&z).is_ok_and(|rows| worst(&rest_rows(&rows, &z), &z, self.system.n) <= RESIDUAL * 1e-2);
+        let resting = self.system.at(&z).is_ok_and(|rows| worst(&rest_rows(&rows, &z), &z) <= RESIDUAL * 1e-2);
         let free: Vec<usize> = (0..self.system.width()).collect();
         // without a place for every connection the way there would decide where the search ends
         if !resting && !self.system.wandering().is_empty() {
@@ -168,8 +171,7 @@ impl Search<'_> {
         if open.into_iter().any(|(_, gap)| gap.value < -1e-9 * gap_size(gap, q)) {
             return;
         }
-        let same = |p: &Place| p.q.iter().zip(q).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())));
-        if self.found.list.iter().any(same) {
+        if self.found.list.iter().any(|p| self.system.sizes().same([&p.q, q], &self.start, ONE)) {
             return;
         }
         let mut reactions: Vec<Option<f64>> = vec![Some(0.0); self.equations.reactions.len()];
@@ -178,39 +180,11 @@ impl Search<'_> {
                 reactions[r] = None;
             }
         }
-        let tidy = |c: usize| if is_noise(&rows, z, n, n + c) { 0.0 } else { z[n + c] };
+        let sizes = self.system.sizes().at(&[q, &self.start]);
+        let tidy = |c: usize| if is_noise(&rows, z, &sizes, n + c) { 0.0 } else { z[n + c] };
         self.system.reactions.iter().enumerate().for_each(|(c, r)| reactions[*r] = Some(tidy(c)));
-        let residual = worst(&rest_rows(&rows, z), z, n);
+        let residual = worst(&rest_rows(&rows, z), z);
         self.found.list.push(Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual });
-    }
-
-    /// Draws q onto the surface by least changes, with one coordinate held where asked; the rows there.
-    fn draw(&mut self, q: &mut [f64], held: Option<usize>) -> Option<Rows> {
-        let n = self.system.n;
-        for _ in 0..50 {
-            let z = self.system.z(q);
-            let rows = self.system.at(&z).ok()?;
-            let placed: Vec<&Row> = rows.places.iter().filter(|r| r.slopes[..n].iter().any(|s| *s != 0.0)).collect();
-            if placed.iter().all(|r| newton::relative(r, &z, n) <= 1e-13) || placed.is_empty() {
-                return Some(rows);
-            }
-            let free: Vec<usize> = (0..n).filter(|j| Some(*j) != held).collect();
-            let (m, k) = (placed.len(), free.len());
-            let size = |r: &Row| free.iter().fold(f64::MIN_POSITIVE, |m, j| m.max(r.slopes[*j].abs()));
-            let matrix: Vec<f64> = (0..k * m).map(|p| placed[p % m].slopes[free[p / m]] / size(placed[p % m])).collect();
-            let right: Vec<f64> = placed.iter().map(|r| -r.value / size(r)).collect();
-            let step = Qr::new(&matrix, k, m).shortest(&right);
-            let longest = step.iter().fold(0.0_f64, |l, s| l.max(s.abs()));
-            let share = if longest > 0.5 { 0.5 / longest } else { 1.0 };
-            free.iter().zip(&step).for_each(|(j, s)| q[*j] += share * s);
-            if longest <= 4.0 * f64::EPSILON * norm(q) {
-                let z = self.system.z(q);
-                let rows = self.system.at(&z).ok()?;
-                let closed = rows.places.iter().all(|r| newton::relative(r, &z, n) <= 1e-10);
-                return closed.then_some(rows);
-            }
-        }
-        None
     }
 
     /// An orthonormal basis of the motions along the surface.
@@ -228,7 +202,7 @@ impl Search<'_> {
         let mut way: Option<Vec<f64>> = None;
         let (mut before, mut earlier): (Option<(Vec<f64>, f64)>, Option<f64>) = (None, None);
         for count in 0..STRIDES {
-            let Some(rows) = self.draw(&mut q, None) else { return };
+            let Some(rows) = draw(&mut self.system, &mut q, None) else { return };
             let tangents = tangents_of(&rows, n);
             let [tangent] = tangents.as_slice() else { return };
             let along: f64 = match &way {
@@ -288,7 +262,7 @@ impl Search<'_> {
                     *q_j += random.between(-1.0, 1.0) * if self.angles[j] { std::f64::consts::PI } else { size };
                 }
                 q[range.coordinate] = value;
-                if self.draw(&mut q, Some(range.coordinate)).is_some() {
+                if draw(&mut self.system, &mut q, Some(range.coordinate)).is_some() {
                     self.newton(&q);
                 }
             }
@@ -303,9 +277,39 @@ impl Search<'_> {
     }
 }
 
+/// Draws q onto the surface by least changes, with one coordinate held where asked; the rows there.
+pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) -> Option<Rows> {
+    let n = system.n;
+    for _ in 0..50 {
+        let z = system.z(q);
+        let rows = system.at(&z).ok()?;
+        let placed: Vec<&Row> = rows.places.iter().filter(|r| r.slopes[..n].iter().any(|s| *s != 0.0)).collect();
+        if placed.iter().all(|r| newton::relative(r, &z) <= 1e-13) || placed.is_empty() {
+            return Some(rows);
+        }
+        let free: Vec<usize> = (0..n).filter(|j| Some(*j) != held).collect();
+        let (m, k) = (placed.len(), free.len());
+        let size = |r: &Row| free.iter().fold(f64::MIN_POSITIVE, |m, j| m.max(r.slopes[*j].abs()));
+        let matrix: Vec<f64> = (0..k * m).map(|p| placed[p % m].slopes[free[p / m]] / size(placed[p % m])).collect();
+        let right: Vec<f64> = placed.iter().map(|r| -r.value / size(r)).collect();
+        let step = Qr::new(&matrix, k, m).shortest(&right);
+        let longest = step.iter().fold(0.0_f64, |l, s| l.max(s.abs()));
+        let share = if longest > 0.5 { 0.5 / longest } else { 1.0 };
+        free.iter().zip(&step).for_each(|(j, s)| q[*j] += share * s);
+        if longest <= 4.0 * f64::EPSILON * norm(q) {
+            let z = system.z(q);
+            let rows = system.at(&z).ok()?;
+            let closed = rows.places.iter().all(|r| newton::relative(r, &z) <= 1e-10);
+            return closed.then_some(rows);
+        }
+    }
+    None
+}
+
 /// Whether a reaction is what rounding of the other forces leaves: beside what they change by with the coordinates, wherever it acts.
-fn is_noise(rows: &Rows, z: &[f64], n: usize, column: usize) -> bool {
-    let others = |r: &Row| (0..n).map(|i| r.slopes[i].abs() * z[i].abs().max(1.0)).sum::<f64>();
+fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
+    let n = sizes.len();
+    let others = |r: &Row| r.slopes[..n].iter().zip(sizes).map(|(s, size)| s.abs() * size).sum::<f64>();
     rows.forces.iter().filter(|r| r.slopes[column] != 0.0).all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * others(r))
 }
 

@@ -2,6 +2,7 @@
 
 use words::{Message, Text};
 
+use super::sizes::Sizes;
 use crate::peaks;
 use crate::{Fault, System};
 use algebra::cholesky::positive_definite;
@@ -19,6 +20,13 @@ pub trait Statics {
     ///
     /// *Errors*: undefined there.
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault>;
+    /// SI unit of coordinate `i`.
+    fn unit(&self, i: usize) -> &str;
+    /// Size of the terms that cancel in each force of the last [`Statics::statics`], beside what the derivatives make of the coordinates; zeros where it is not
+    /// known.
+    fn terms(&self) -> Vec<f64> {
+        vec![0.0; self.n_coordinates()]
+    }
 }
 
 impl<S: System + ?Sized> Statics for S {
@@ -31,15 +39,16 @@ impl<S: System + ?Sized> Statics for S {
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
         System::statics(self, x, forces, derivatives)
     }
+    fn unit(&self, i: usize) -> &str {
+        &self.states()[i].unit
+    }
 }
 
 /// A state of rest near `start` (the coordinates come first), also one that is not isolated.
 ///
 /// *Errors*: S007 when Newton's method finds none.
 pub fn rest_near<S: Statics + ?Sized>(machine: &mut S, start: &[f64]) -> Result<Vec<f64>, Fault> {
-    let n = machine.n_coordinates();
-    let mut search =
-        Search { system: machine, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: true, beside: true };
+    let mut search = Search { neutral_is_found: true, beside: true, ..Search::new(machine) };
     search.from(start.to_vec()).map(|rest| rest.q)
 }
 
@@ -74,7 +83,13 @@ const GUESSES: usize = 97;
 /// Steps of Newton's method from one guess.
 const STEPS: usize = 200;
 
-/// Forces relative to the terms that balance in them, estimated by the stiffness times the coordinates.
+/// Distance of two places that are one, relative to the sizes of the coordinates.
+pub(crate) const ONE: f64 = 1e-7;
+
+/// Forces relative to the terms that balance in them, where Newton's method comes to no better place: a hundred roundings.
+const BALANCED: f64 = 1e-13;
+
+/// The same for the audit.
 pub(crate) const RESIDUAL: f64 = 1e-10;
 
 pub(crate) fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
@@ -98,12 +113,6 @@ pub(crate) struct Rest {
     pub(crate) symmetric: bool,
 }
 
-impl Rest {
-    pub(crate) fn is(&self, other: &Rest) -> bool {
-        self.q.iter().zip(&other.q).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())))
-    }
-}
-
 pub(crate) struct Search<'s, S: ?Sized> {
     pub(crate) system: &'s mut S,
     pub(crate) n: usize,
@@ -114,9 +123,16 @@ pub(crate) struct Search<'s, S: ?Sized> {
     pub(crate) neutral_is_found: bool,
     /// Whether places beside a free motion are sought: along a range they would be as many as guesses.
     pub(crate) beside: bool,
+    pub(crate) sizes: Sizes,
 }
 
-impl<S: Statics + ?Sized> Search<'_, S> {
+impl<'s, S: Statics + ?Sized> Search<'s, S> {
+    pub(crate) fn new(system: &'s mut S) -> Search<'s, S> {
+        let n = system.n_coordinates();
+        let sizes = Sizes::new((0..n).map(|i| system.unit(i)));
+        Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: false, beside: false, sizes }
+    }
+
     /// Newton's method with step halving on the residual measured in Newton's own metric (the length of the simplified correction), which does
     /// not depend on the units of the forces. *Source*: P. Deuflhard, Newton Methods for Nonlinear Problems, 3.3.
     pub(crate) fn from(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
@@ -124,7 +140,7 @@ impl<S: Statics + ?Sized> Search<'_, S> {
         for _ in 0..STEPS {
             self.steps += 1;
             let lu = Lu::new(&self.jacobian, self.n);
-            let balanced = self.residual(&x) <= RESIDUAL;
+            let balanced = self.residual(&x) <= BALANCED;
             let Some(correction) = lu.solve(&self.forces) else {
                 let held = self.beside && Qr::alike(&self.jacobian, self.n, self.n, DEPENDENT).rank() > 0;
                 if self.neutral_is_found || held {
@@ -213,7 +229,7 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             (x, residual) = (next, after);
         }
         self.evaluate(&x)?;
-        if residual <= RESIDUAL { Ok(self.rest(x)) } else { Err(self.failed()) }
+        if residual <= BALANCED { Ok(self.rest(x)) } else { Err(self.failed()) }
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
@@ -222,11 +238,14 @@ impl<S: Statics + ?Sized> Search<'_, S> {
         if finite { Ok(()) } else { Err(Fault::not_finite(&Text::new("force of rest", "сила в покое"), 0.0)) }
     }
 
-    /// max |h_i| / sum_j |K_ij| max(|q_j|, 1).
+    /// max |h_i| / (Σ_j |K_ij q_j| + the terms that cancel in h_i).
     fn residual(&self, x: &[f64]) -> f64 {
         let n = self.n;
+        let terms = self.system.terms();
         (0..n).fold(0.0, |worst: f64, i| {
-            let size: f64 = (0..n).map(|j| self.jacobian[i * n + j].abs() * x[j].abs().max(1.0)).sum();
+            let slopes = &self.jacobian[i * n..(i + 1) * n];
+            let moved: f64 = slopes.iter().zip(x).map(|(k, q)| (k * q).abs()).sum();
+            let size = moved + terms[i] + self.sizes.beside(slopes, &x[..n]);
             let h = self.forces[i].abs();
             worst.max(if h == 0.0 { 0.0 } else { h / size })
         })

@@ -20,6 +20,7 @@ use symbolic::{Equations, Expr, Graph, SymbolId};
 
 use super::formulas::{at_rest, definitions, seeded};
 use super::path::Paths;
+use super::sizes::Sizes;
 use crate::Fault;
 
 /// A row: its value and its derivatives by z.
@@ -29,9 +30,14 @@ pub struct Row {
     pub value: f64,
     /// ∂/∂q, ∂/∂λ, ∂/∂u.
     pub slopes: Vec<f64>,
+    /// Size of the terms that add up to it, beside what its slopes make of z: those that cancel, and a share of the machine's size.
+    pub terms: f64,
     /// Whether it is a force or a moment: such rows are compared with the largest of them too, because all terms of one may vanish at rest.
     pub is_force: bool,
 }
+
+/// Bound of the rounding of a sum relative to its terms: a few units, with slack for several operations.
+pub(crate) const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 /// The equations at a z.
 #[derive(Clone, Debug, Default)]
@@ -72,6 +78,7 @@ pub struct RestSystem {
     pub frictions: Vec<usize>,
     balances: usize,
     paths: Option<Paths>,
+    sizes: Sizes,
 }
 
 /// What takes part.
@@ -167,6 +174,7 @@ impl RestSystem {
             rate_only: roots.rate_only,
             balances: roots.balances,
             paths: None,
+            sizes: Sizes::new(equations.coordinates.iter().map(|c| c.unit.as_str())),
         })
     }
 
@@ -205,6 +213,11 @@ impl RestSystem {
         rates.zip(exact).filter(|(_, exact)| !**exact).map(|(c, _)| c).collect()
     }
 
+    /// The sizes of the coordinates at a place.
+    pub fn sizes(&self) -> &Sizes {
+        &self.sizes
+    }
+
     /// Number of components of z.
     pub fn width(&self) -> usize {
         self.n + self.reactions.len() + self.unknowns.len()
@@ -237,9 +250,14 @@ impl RestSystem {
             self.evaluator = Evaluator::new(&self.tape, &self.values)?;
         }
         let width = self.width();
-        let values = self.evaluator.evaluate(&Point { states: &z[..n + k], ..Point::default() })?;
+        let values = self.evaluator.evaluate(&Point { states: &z[..n + k], ..Point::default() })?.to_vec();
         let count = values.len() / (width + 1);
-        let row = |i: usize| Row { value: values[i], slopes: (0..width).map(|j| values[count * (j + 1) + i]).collect(), is_force: false };
+        let roundings = self.evaluator.root_roundings();
+        let row = |i: usize| {
+            let slopes: Vec<f64> = (0..width).map(|j| values[count * (j + 1) + i]).collect();
+            let terms = roundings[i] / ROUNDED + self.sizes.beside(&slopes[..n], &z[..n]);
+            Row { value: values[i], slopes, terms, is_force: false }
+        };
         let mut next = 0;
         let mut take = |how_many: usize| -> Vec<Row> {
             let rows = (next..next + how_many).map(row).collect();
@@ -261,6 +279,12 @@ impl RestSystem {
             }
         }
         forces.iter_mut().chain(&mut balances).for_each(|row| row.is_force = true);
+        for (c, row) in places.iter_mut().enumerate() {
+            // a place that is an integral has no terms of its own
+            let made =
+                if self.rate_only[c] { row.slopes[..n].iter().map(|s| s.abs()).sum() } else { self.sizes.made(&row.slopes[..n], &z[..n]) };
+            row.terms += made;
+        }
         let finite = forces.iter().chain(&places).chain(&balances).all(|r| r.value.is_finite() && r.slopes.iter().all(|s| s.is_finite()));
         if finite {
             Ok(Rows { forces, places, balances, starts, gaps, limits })

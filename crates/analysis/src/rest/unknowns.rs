@@ -128,11 +128,11 @@ impl Search<'_> {
         let all = system.at(&z)?;
         let rows = choose(&all, &z);
         determined(self.equations, system, &rows, self.impending)?;
-        if solved?.is_none() && worst(&rows, &z, system.n) > UNBALANCED {
+        if solved?.is_none() && worst(&rows, &z) > UNBALANCED {
             // what stays may stay in the limits alone
             let without = chosen(&all, &z, places, &[]);
-            let by_limits = !limits.is_empty() && worst(&without, &z, system.n) <= UNBALANCED;
-            return Ok(if by_limits { Tried::Slips } else { Tried::Unbalanced(left_over(self.equations, system, &all, &z)) });
+            let by_limits = !limits.is_empty() && worst(&without, &z) <= UNBALANCED;
+            return Ok(if by_limits { Tried::Slips } else { Tried::Unbalanced(left_over(self.equations, &all, &z)) });
         }
         if limits.iter().any(|limit| limit.is_turned(&all)) {
             return Ok(Tried::Slips);
@@ -203,9 +203,14 @@ impl Limited {
     pub(super) fn row(&self, rows: &Rows, z: &[f64]) -> Row {
         let (fixed, normal) = &rows.limits[self.friction];
         let sign = self.direction * self.sign.unwrap_or(if normal.value < 0.0 { -1.0 } else { 1.0 });
+        let terms = fixed.terms * normal.value.abs() + fixed.value.abs() * normal.terms;
         let slope = |j: usize| -sign * (fixed.slopes[j] * normal.value + fixed.value * normal.slopes[j]);
-        let mut row =
-            Row { value: z[self.column] - sign * fixed.value * normal.value, slopes: (0..z.len()).map(slope).collect(), is_force: true };
+        let mut row = Row {
+            value: z[self.column] - sign * fixed.value * normal.value,
+            slopes: (0..z.len()).map(slope).collect(),
+            terms,
+            is_force: true,
+        };
         row.slopes[self.column] += 1.0;
         row
     }
@@ -232,9 +237,10 @@ fn chosen(rows: &Rows, z: &[f64], places: &[(usize, Option<f64>)], limits: &[Lim
     for (j, value) in places {
         // q_j - start_j(u)
         let mut row = match value {
-            Some(value) => Row { value: *value, slopes: vec![0.0; z.len()], is_force: false },
+            Some(value) => Row { value: *value, slopes: vec![0.0; z.len()], terms: 1.0, is_force: false },
             None => rows.starts[*j].clone(),
         };
+        row.terms = row.terms.max(1.0);
         row.value = z[*j] - row.value;
         row.slopes.iter_mut().for_each(|s| *s = -*s);
         row.slopes[*j] += 1.0;
@@ -278,11 +284,10 @@ fn plain(reaction: &str) -> &str {
 }
 
 /// The force that nothing balances.
-fn left_over(equations: &Equations, system: &RestSystem, rows: &Rows, z: &[f64]) -> Fault {
-    let n = system.n;
+fn left_over(equations: &Equations, rows: &Rows, z: &[f64]) -> Fault {
     let coordinate = |i: usize| equations.graph.symbol_info(equations.coordinates[i].symbols[0]).name.clone();
     let worst_of = |rows: &[Row]| {
-        let at = |i: usize| newton::relative(&rows[i], z, n);
+        let at = |i: usize| newton::relative(&rows[i], z);
         (0..rows.len()).max_by(|a, b| at(*a).total_cmp(&at(*b))).map(|i| (i, at(i)))
     };
     match (worst_of(&rows.forces), worst_of(&rows.balances)) {

@@ -9,10 +9,13 @@
 //! the load is raised from zero, so that what is found joins the small motions continuously. Where the way turns back (the jump of a hardening or softening
 //! spring) there is no such motion at the full load.
 //!
+//! Where nothing depends on a coordinate (a shaft that turns freely) its mean is any number, and the mean of its equation, the change of a momentum over a period, says nothing
+//! but rounding: the mean is pinned at zero in place of that equation, and what the equation lacks must stay far below the load, else the motion drifts away.
+//!
 //! *Source*: A. H. Nayfeh, D. T. Mook, Nonlinear Oscillations, 2.3.4; T. M. Cameron, J. H. Griffin, J. Appl. Mech. 56 (1989) 149-154.
 
 use algebra::elementary;
-use algebra::qr::{DEPENDENT, Qr};
+use algebra::qr::{DEPENDENT, Qr, null_space};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use symbolic::linear::About;
@@ -77,7 +80,21 @@ pub(super) struct Balance {
     counts: Vec<bool>,
     /// Distance from the small motion's amplitudes, see [`away`], that counts as good.
     good: f64,
+    free: Vec<Free>,
+    /// Mean force along free motions that the last residuals left out, relative to the load.
+    drift: f64,
 }
+
+/// A motion that nothing holds at rest: its direction over (q, λ), and the row that repeats others there.
+struct Free {
+    along: Vec<f64>,
+    row: usize,
+}
+
+/// Entries of a column below this share of the row are rounding: nothing depends on the mean along it.
+const IDLE: f64 = 1e-10;
+/// Mean force along a free motion, relative to the load, beyond which it drifts away.
+const DRIFTS: f64 = 1e-3;
 
 /// Residuals and their derivatives.
 struct System {
@@ -102,8 +119,53 @@ impl Balance {
         let rest = Place { rates: vec![0.0; n], accelerations: vec![0.0; n], ..place.clone() };
         let force = whole.at(&rest)?.force;
         let counts = counting(&whole.clone().at(&rest)?, &waves, rate);
-        let balance = Balance { machine: whole, extra, rest, force, n, m, rate, waves, counts, good };
+        let free = Vec::new();
+        let mut balance = Balance { machine: whole, extra, rest, force, n, m, rate, waves, counts, good, free, drift: 0.0 };
+        balance.free = balance.free_motions()?;
         Ok((balance.size(balance.least()) <= MOST).then_some(balance))
+    }
+
+    /// Motions that nothing holds at rest; none where connections are redundant besides.
+    fn free_motions(&mut self) -> Result<Vec<Free>, Fault> {
+        let width = self.n + self.m;
+        let (_, [tangent, ..]) = self.instant(&vec![0.0; width], &functions(1, 0.0, self.rate))?;
+        let (rows, columns) = balanced(&tangent, width);
+        let entry = |i: usize, j: usize| tangent[i * width + j] * rows[i] * columns[j];
+        let right = null_space(&(0..width * width).map(|p| entry(p / width, p % width)).collect::<Vec<_>>(), width, width);
+        let left = null_space(&(0..width * width).map(|p| entry(p % width, p / width)).collect::<Vec<_>>(), width, width);
+        let moves = |v: &[f64]| v[..self.n].iter().any(|x| *x != 0.0);
+        // the dependent row of each: 1 in it, 0 in those of the others
+        let row = |w: &Vec<f64>| (0..self.n).find(|i| w[*i] == 1.0 && left.iter().filter(|other| other[*i] != 0.0).count() == 1);
+        let list: Vec<Free> = right
+            .iter()
+            .filter(|z| moves(z))
+            .zip(left.iter().filter(|w| moves(w)))
+            .filter_map(|(z, w)| Some(Free { along: z.iter().zip(&columns).map(|(z, c)| z * c).collect(), row: row(w)? }))
+            .collect();
+        Ok(if list.len() == right.len() && list.len() == left.len() { list } else { Vec::new() })
+    }
+
+    /// Puts the mean along free motions at zero, in place of equations that say nothing.
+    fn pin(&mut self, system: &mut System, x: &[f64], share: f64) {
+        let size = system.residual.len();
+        let load = self.waves.iter().flat_map(|w| &w.load).map(|f| magnitude(*f)).fold(0.0, f64::max);
+        let mut drift = 0.0_f64;
+        for Free { along, row } in &self.free {
+            let largest = along.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
+            let idle = system.matrix.chunks(size).all(|of| {
+                let moved: f64 = of.iter().zip(along).map(|(a, z)| a * z).sum();
+                moved.abs() <= IDLE * largest * of.iter().fold(0.0_f64, |m, a| m.max(a.abs()))
+            });
+            if !idle {
+                continue;
+            }
+            drift = drift.max(system.residual[*row].abs() / (share * load));
+            system.residual[*row] = x.iter().zip(along).map(|(x, z)| x * z).sum();
+            let equation = &mut system.matrix[row * size..(row + 1) * size];
+            equation.fill(0.0);
+            equation.iter_mut().zip(along).for_each(|(a, z)| *a = *z);
+        }
+        self.drift = drift;
     }
 
     /// Harmonics to begin with: thrice the highest of the load.
@@ -245,7 +307,7 @@ impl Balance {
             let places = |v: &[f64]| length(&mut v.iter().enumerate().filter(|(p, _)| p % width < self.n).map(|(_, d)| *d));
             let start = *first.get_or_insert_with(|| share(places(&step), places(&scaled)));
             if change <= SETTLED {
-                return Some((x, start));
+                return (self.drift <= DRIFTS).then_some((x, start));
             }
         }
         None
@@ -288,6 +350,7 @@ impl Balance {
                 system.residual[2 * wave.multiple * width + i] += share * f.1;
             }
         }
+        self.pin(&mut system, x, share);
         Ok(system)
     }
 

@@ -7,7 +7,7 @@
 use words::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
-use crate::rest::search::{RESIDUAL, Rest, Search, Statics, nothing_between};
+use crate::rest::search::{ONE, RESIDUAL, Rest, Search, Statics, nothing_between};
 use crate::{Quantity, System};
 
 use super::simulate::Outcome;
@@ -58,8 +58,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
     if n == 0 {
         return Outcome { dataset: Dataset { notes: vec![nothing_moves()], ..Dataset::default() }, fault: None };
     }
-    let (forces, jacobian) = (vec![0.0; n], vec![0.0; n * n]);
-    let mut search = Search { system, n, forces, jacobian, steps: 0, neutral_is_found: false, beside: options.over.is_none() };
+    let mut search = Search { beside: options.over.is_none(), ..Search::new(system) };
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
@@ -69,13 +68,14 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         let angles: Vec<usize> = (0..n).filter(|&i| angle(i)).take(TURNED).collect();
         turned(&mut along, &angles);
     }
+    let sizes = search.sizes.clone();
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
         let rates = (2 * n).min(x.len());
         x[n..rates].fill(0.0);
         x[..n].copy_from_slice(guess);
         match search.from(x) {
-            Ok(rest) if found.iter().all(|other| !other.is(&rest)) => found.push(rest),
+            Ok(rest) if found.iter().all(|other| !sizes.same([&other.q, &rest.q], &own, ONE)) => found.push(rest),
             Ok(_) => {}
             Err(fault) => faults.push(fault),
         }

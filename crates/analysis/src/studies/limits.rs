@@ -264,24 +264,29 @@ fn by_amplitudes(omega: f64, (harmonics, good): (usize, f64), off: &Off) -> Text
     let (omega, share) = (rounded(omega), rounded(100.0 * balance::away(*small, *whole)));
     let (small, whole) = (rounded(*small), rounded(*whole));
     let (moved, period, up) = (&off.period.0, rounded(100.0 * off.period.1), rounded(100.0 * good));
+    let unit = Text::unit(unit);
     let of = |nth: &str| if *order == 1 { String::new() } else { format!(" ({order}{nth})") };
     Text::new(
         format!(
-            "the equations are not linear: at ω = {} rad/s the amplitude of `{name}`{} is {} {unit} by small motions and {} {unit} by harmonic balance of the whole equations ({harmonics} harmonics), so it is off by {} %; over a period the motion of `{moved}` is up to {} % of its largest value away from the small motion; amplitudes are within 1 % up to {} % of the load; use `periodic` or `simulate` beyond that",
+            "the equations are not linear: at ω = {} rad/s the amplitude of `{name}`{} is {} {} by small motions and {} {} by harmonic balance of the whole equations ({harmonics} harmonics), so it is off by {} %; over a period the motion of `{moved}` is up to {} % of its largest value away from the small motion; amplitudes are within 1 % up to {} % of the load; use `periodic` or `simulate` beyond that",
             omega.en,
             of("Ω"),
             small.en,
+            unit.en,
             whole.en,
+            unit.en,
             share.en,
             period.en,
             up.en
         ),
         format!(
-            "уравнения нелинейны: при ω = {} рад/с амплитуда `{name}`{} по малым движениям {} {unit}, а по гармоническому балансу полных уравнений (гармоник: {harmonics}) {} {unit}: ошибка {} %; за период движение `{moved}` отходит от малого на величину до {} % своего наибольшего значения; амплитуды верны до 1 % при нагрузке до {} % заданной; дальше применяйте `periodic` или `simulate`",
+            "уравнения нелинейны: при ω = {} рад/с амплитуда `{name}`{} по малым движениям {} {}, а по гармоническому балансу полных уравнений (гармоник: {harmonics}) {} {}: ошибка {} %; за период движение `{moved}` отходит от малого на величину до {} % своего наибольшего значения; амплитуды верны до 1 % при нагрузке до {} % заданной; дальше применяйте `periodic` или `simulate`",
             omega.ru,
             of("Ω"),
             small.ru,
+            unit.ru,
             whole.ru,
+            unit.ru,
             share.ru,
             period.ru,
             up.ru

@@ -67,7 +67,8 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
     let home = branch.home_place().clone();
     let quantity = machine.parameters()[parameter].clone();
     let is_speed = quantity.unit == "rad/s" || quantity.unit == "1/s";
-    let orders = if is_speed { orders(machine, parameter, ends[1], &home)? } else { Vec::new() };
+    let largest = if ends[0].abs() > ends[1].abs() { ends[0] } else { ends[1] };
+    let orders = if is_speed { orders(machine, parameter, largest, &home)? } else { Vec::new() };
     branch.cover(machine, ends)?;
     let coordinates = machine.coordinates().to_vec();
     let mut run = Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new(), freedom: 0 };
@@ -112,7 +113,7 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
     changes::add_columns(&mut out.data, &out.places, &coordinates);
     out.data.notes.extend(changes::notes(run.branch, &quantity, &coordinates));
     out.data.notes.extend(runs_along(&run.along));
-    out.data.notes.extend(run.missing(&quantity));
+    out.data.notes.extend(run.missing(&quantity, &out));
     if run.cells > CELLS {
         out.data.notes.push(Text::new(
             "critical speeds are not all located: modes begin and cease to oscillate at random within rounding (a double root, an inertia that is all but zero)",
@@ -233,11 +234,15 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Where there is no equilibrium.
-    fn missing(&self, parameter: &Quantity) -> Vec<Text> {
+    /// Where there is no equilibrium: neighbouring values are one range unless one with a place of rest lies between them.
+    fn missing(&self, parameter: &Quantity, tracks: &Tracks) -> Vec<Text> {
         let mut list = self.without.clone();
         list.sort_by(f64::total_cmp);
-        let groups = list.chunk_by(|a, b| (b - a).abs() <= ONE_PLACE * a.abs().max(b.abs()));
+        let rests: Vec<f64> = tracks.values.iter().zip(&tracks.places).filter(|(_, p)| p.is_some()).map(|(v, _)| *v).collect();
+        let lost: Vec<f64> = tracks.values.iter().zip(&tracks.places).filter(|(_, p)| p.is_none()).map(|(v, _)| *v).collect();
+        let inside = |of: &[f64], a: f64, b: f64| of.iter().any(|v| (a..=b).contains(v));
+        let one = |a: f64, b: f64| (b - a).abs() <= ONE_PLACE * a.abs().max(b.abs()) || (!inside(&rests, a, b) && inside(&lost, a, b));
+        let groups = list.chunk_by(|a, b| one(*a, *b));
         let roots = if self.machine.same_everywhere() {
             ("the modes do not depend on it", "собственные движения от него не зависят")
         } else {
@@ -246,16 +251,7 @@ impl Run<'_> {
                 "собственных движений около него нет, и концы областей там не найдены",
             )
         };
-        let one = |group: &[f64]| {
-            let value = words::digits::ten_digits(group[group.len() / 2]);
-            let unit = Text::unit(&if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) });
-            let (at, name) = (Text::new(format!("{}{}", value.en, unit.en), format!("{}{}", value.ru, unit.ru)), &parameter.name);
-            Text::new(
-                format!("no equilibrium was found at {name} = {} (it may run to infinity there); {}", at.en, roots.0),
-                format!("при {name} = {} равновесие не найдено (возможно, оно уходит там в бесконечность); {}", at.ru, roots.1),
-            )
-        };
-        groups.map(one).collect()
+        groups.map(|group| without_rest(group, parameter, roots)).collect()
     }
 
     /// The modes at a value of the parameter, and M.
@@ -310,7 +306,8 @@ impl Run<'_> {
     /// oscillate at ω = 0.
     fn above(&mut self, speed: f64, order: f64) -> Result<Option<Count>, Fault> {
         let Some((list, _)) = self.known(speed)? else { return Ok(None) };
-        let line = order * speed;
+        // a speed below zero excites with its amount
+        let line = order * speed.abs();
         let oscillating: Vec<f64> = list.iter().filter(|m| worth_following(m) && m.damped > 0.0).map(|m| m.damped).collect();
         let above = oscillating.iter().filter(|w| **w > line).count();
         let nearest = oscillating.iter().map(|w| (w - line).abs()).fold(f64::INFINITY, f64::min);
@@ -324,11 +321,21 @@ impl Run<'_> {
         for order in &tracks.orders {
             let mut places = Vec::new();
             let counts = tracks.values.iter().map(|v| self.above(*v, *order)).collect::<Result<Vec<Option<Count>>, Fault>>()?;
+            let ends = [tracks.values[0], tracks.values[tracks.values.len() - 1]];
             for k in 1..tracks.values.len() {
                 let cell = Cell { order: *order, depth: DEEPEST };
-                self.cell([tracks.values[k - 1], tracks.values[k]], [counts[k - 1], counts[k]], cell, &mut places)?;
+                let (a, b) = (tracks.values[k - 1], tracks.values[k]);
+                if a < 0.0 && b > 0.0 {
+                    // the line is bent at zero
+                    let still = self.above(0.0, *order)?;
+                    self.cell([a, 0.0], [counts[k - 1], still], cell, &mut places)?;
+                    self.cell([0.0, b], [still, counts[k]], cell, &mut places)?;
+                } else {
+                    self.cell([a, b], [counts[k - 1], counts[k]], cell, &mut places)?;
+                }
             }
-            places.retain(|v| !self.leaps(*v, *order));
+            // a frequency that vanishes with the speed meets the line there without being excited
+            places.retain(|v| v.abs() > STANDS * ends[0].abs().max(ends[1].abs()) && !self.leaps(*v, *order));
             places.sort_by(f64::total_cmp);
             places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
             for value in places {
@@ -354,7 +361,8 @@ impl Run<'_> {
         // tracks that are lost at that value are known by their last shape
         let known = (0..tracks.omega.len()).map(|j| slots[..=k].iter().rev().find_map(|here| here.get(j).cloned().flatten()));
         let here = matched(&known.collect::<Vec<_>>(), list, &mass);
-        let off = |m: &Option<Mode>| m.as_ref().filter(|m| m.damped > 0.0).map_or(f64::INFINITY, |m| (m.damped - order * speed).abs());
+        let off =
+            |m: &Option<Mode>| m.as_ref().filter(|m| m.damped > 0.0).map_or(f64::INFINITY, |m| (m.damped - order * speed.abs()).abs());
         Ok((0..here.len()).min_by(|a, b| off(&here[*a]).total_cmp(&off(&here[*b]))).unwrap_or(0))
     }
 
@@ -394,6 +402,26 @@ impl Run<'_> {
     }
 }
 
+/// A remark on values without a place of rest.
+fn without_rest(group: &[f64], parameter: &Quantity, roots: (&'static str, &'static str)) -> Text {
+    let [from, to] = [group[0], group[group.len() - 1]];
+    let name = &parameter.name;
+    if (to - from).abs() > ONE_PLACE * from.abs().max(to.abs()) {
+        let [from, to] = [from, to].map(|v| changes::written(v, parameter));
+        return Text::new(
+            format!("no equilibrium was found from {name} = {} to {} (it may run to infinity there); {}", from.en, to.en, roots.0),
+            format!("при {name} от {} до {} равновесие не найдено (возможно, оно уходит там в бесконечность); {}", from.ru, to.ru, roots.1),
+        );
+    }
+    let value = words::digits::ten_digits(group[group.len() / 2]);
+    let unit = Text::unit(&if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) });
+    let at = Text::new(format!("{}{}", value.en, unit.en), format!("{}{}", value.ru, unit.ru));
+    Text::new(
+        format!("no equilibrium was found at {name} = {} (it may run to infinity there); {}", at.en, roots.0),
+        format!("при {name} = {} равновесие не найдено (возможно, оно уходит там в бесконечность); {}", at.ru, roots.1),
+    )
+}
+
 /// A remark where every speed of a range is critical.
 fn runs_along(ranges: &[[f64; 2]]) -> Option<Text> {
     let ends = ranges.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [a, b]| [low.min(*a), high.max(*b)]);
@@ -431,6 +459,8 @@ const DEEPEST: usize = 6;
 /// Share of its frequency by which a mode may leave the line ω = order·Ω along which it runs, and the share of a speed over which that counts.
 const ALONG: f64 = 1e-10;
 const APART: f64 = 1e-6;
+/// Share of the largest speed that is none.
+const STANDS: f64 = 1e-12;
 /// Cells that are halved at most; a hundred critical speeds need six thousand.
 const CELLS: usize = 20_000;
 

@@ -159,9 +159,10 @@ pub fn equilibria(data: &Dataset, language: Language) -> Table {
         let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let scale = scale(&column.quantity, largest);
         let shown: Vec<f64> = values.iter().map(|v| v / scale.size).collect();
-        let symbol = if column.quantity.name == "growth" { Cell::words("Re λ") } else { Cell::symbol(&column.quantity.symbol) };
+        let decides = column.quantity.name == "growth";
+        let symbol = if decides { Cell::words("Re λ") } else { Cell::symbol(&column.quantity.symbol) };
         let mut row = vec![symbol, Cell::words(scale.print(language))];
-        row.extend(Cell::column(&shown, DIGITS, language));
+        row.extend(if decides { Cell::column_of_signs(&shown, DIGITS, language) } else { Cell::column(&shown, DIGITS, language) });
         row.push(Cell::words(language.text(&column.quantity.label)));
         table.row(row);
     }

@@ -100,8 +100,12 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
         }
         first.get_or_insert((linear, at, place.closed));
     }
-    let (linear, at, closed) = first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)?;
-    held(machine, (linear, at), guesses, &closed)
+    let (mut linear, mut at, closed) = first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)?;
+    let mut contacts = Contacts::new(&machine.equations, &closed)?;
+    if let Some(place) = stable_below(&mut linear, (&at, &guesses), contacts.as_mut()) {
+        at = place;
+    }
+    Ok(Small { machine: linear, place: at, starts: guesses, contacts })
 }
 
 /// With the contacts that are closed at the place.
@@ -153,7 +157,7 @@ fn rest(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Result<Place, Fault>
         }
     }
     match (first, fault) {
-        (Some(place), _) => Ok(place),
+        (Some(place), _) => Ok(stable_below(linear, (&place, starts), None).unwrap_or(place)),
         (None, Some(fault)) if fault.code == "S007" => fallen(linear, starts).ok_or(fault),
         (None, Some(fault)) => Err(fault),
         (None, None) => Err(analysis::studies::equilibrium::no_equilibrium()),
@@ -166,14 +170,30 @@ fn fallen(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Option<Place> {
     stable(linear, &place).then_some(place)
 }
 
+/// Where only unstable places are known: the stable one to which the machine falls from where it starts. A start that is the unstable place itself is meant, and a
+/// guess is, too.
+fn stable_below(linear: &mut LinearMachine, (place, starts): (&Place, &[Vec<f64>]), contacts: Option<&mut Contacts>) -> Option<Place> {
+    let near = |q: &[f64]| q.iter().zip(&place.q).all(|(a, b)| (a - b).abs() <= MEANT * (1.0 + b.abs()));
+    // the last one is zero, which no file has asked for
+    let (_, own) = starts.split_last().filter(|(_, own)| !own.is_empty())?;
+    if own.iter().any(|q| near(q)) {
+        return None;
+    }
+    let found = fallen(linear, own)?;
+    let admitted = match contacts {
+        Some(contacts) => contacts.margins(linear, &found).is_ok_and(|list| !list.iter().any(|m| m.is_violated())),
+        None => true,
+    };
+    admitted.then_some(found)
+}
+
+/// Distance of a start from a place, relative or in its unit, that counts as none.
+const MEANT: f64 = 1e-6;
+
 /// Where to look for rest: at the guess of the study, else at those of the file's equilibria, the start and zero.
 fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Vec<Vec<f64>> {
-    let symbols: Vec<SymbolId> = machine.equations.coordinates.iter().map(|c| c.symbols[0]).collect();
-    let n = symbols.len();
-    let from = |guess: &[(SymbolId, f64)]| -> Vec<f64> {
-        let value = |(s, q): (&SymbolId, &f64)| guess.iter().find(|(g, _)| g == s).map_or(*q, |(_, v)| *v);
-        symbols.iter().zip(&start[..n]).map(value).collect()
-    };
+    let n = machine.equations.coordinates.len();
+    let from = |guess: &[(SymbolId, f64)]| crate::plan::guessed(&machine.equations, start, guess);
     if !guess.is_empty() {
         return vec![from(guess)];
     }

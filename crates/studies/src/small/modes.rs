@@ -135,8 +135,16 @@ fn dataset(found: &Found) -> Dataset {
             "около движения в начальный момент; коэффициенты взяты в этот момент",
         ));
     }
-    data.notes.extend(timing_notes(found.small.machine.timing()));
+    data.notes.extend(timing_notes(timing(found)));
     data
+}
+
+/// How time was treated; what has rate zero for these numbers does not oscillate.
+fn timing(found: &Found) -> symbolic::linear::Timing {
+    let mut timing = found.small.machine.timing();
+    let pulsates = || found.small.machine.pulsation(&found.small.place).map_or(true, |list| list.iter().flatten().any(|v| *v != 0.0));
+    timing.varying = timing.varying && (found.tracks.is_some() || pulsates());
+    timing
 }
 
 /// Says what is absent in the table of modes.

@@ -50,7 +50,10 @@ fn cells(name: &str, values: &[f64], language: Language) -> Vec<Cell> {
         return values.iter().map(|v| Cell::words(format!("{v}"))).collect();
     }
     let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    let mut shown = Cell::column(&finite, DIGITS, language).into_iter();
+    // Re λ and ζ tell growing motions from dying ones
+    let decides = name == "growth" || name == "damping_ratio" || name.starts_with("zeta_");
+    let printed = if decides { Cell::column_of_signs(&finite, DIGITS, language) } else { Cell::column(&finite, DIGITS, language) };
+    let mut shown = printed.into_iter();
     values.iter().map(|v| if v.is_finite() { shown.next().unwrap_or(Cell::Empty) } else { Cell::words("–") }).collect()
 }
 
@@ -205,7 +208,7 @@ fn line_of_speed(data: &Dataset, figure: &Figure, order: f64) -> Option<Series> 
     let axis = data.columns.first().filter(|c| matches!(c.quantity.unit.as_str(), "rad/s" | "1/s"))?;
     let highest = figure.series.iter().flat_map(|s| &s.y).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(*v));
     let within = |v: f64| if v <= 1.05 * highest { v } else { f64::NAN };
-    let y = axis.values.iter().map(|v| within(order * v)).collect();
+    let y = axis.values.iter().map(|v| within(order * v.abs())).collect();
     let name = axis.quantity.symbol.clone();
     Some(Series { label: format!("{order}×{name}"), name, x: axis.values.clone(), y, pen: Pen::Line })
 }

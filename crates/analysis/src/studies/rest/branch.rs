@@ -1,7 +1,7 @@
 //! A place of rest followed along a parameter p: h(q, p) = 0 from the value that the file gives outwards.
 //!
 //! ```text
-//! q(p) smooth:        a chord and the places at its quarters agree, else the step is halved (natural continuation)
+//! q(p) smooth:        a chord (a parabola) and the places at its quarters agree, else the step is halved (natural continuation)
 //! one real root -> 0: the number of growing motions without oscillation changes; p* by bisection
 //! beyond p*:          q = q(p*) ± s v + ..., v the shape of that motion; s ~ √|p - p*| (pitchfork) or |p - p*| (exchange of stability)
 //! gap or force -> 0:  a contact closes or opens; p* by bisection, beyond it the place that continues with another set of closed contacts
@@ -12,10 +12,13 @@
 //!
 //! *Source*: R. Seydel, Practical Bifurcation and Stability Analysis, ch. 2 and 5.
 
+mod joins;
+
 use super::contacts::{Contacts, Margin};
 use super::fall::fall;
 use crate::Fault;
 use crate::linear::{LinearMachine, Place, parts};
+use crate::rest::sizes::Sizes;
 use crate::studies::modes::{Kind, Mode, Normalisation, modes};
 use algebra::cholesky::positive_definite;
 
@@ -128,6 +131,7 @@ pub struct Branch {
     /// Contacts that are closed at home, and where the walk is now.
     own: Vec<usize>,
     closed: Vec<usize>,
+    sizes: Sizes,
 }
 
 /// Pieces into which a range is cut at first.
@@ -136,7 +140,9 @@ const PIECES: usize = 32;
 const FURTHER: usize = 4;
 /// Distance of a place from its chord, relative to the chord, that is smooth.
 const SMOOTH: f64 = 0.05;
-/// The same relative to all that a coordinate has gone, and in its unit: what is smaller is nothing to halve for.
+/// Distance of a place from the parabola over its chord, relative to the larger of the two, that is smooth.
+const BENT: f64 = 0.01;
+/// The same relative to all that a coordinate has gone, and to its size: what is smaller is nothing to halve for.
 const SLIGHT: f64 = 1e-8;
 const NOTHING: f64 = 1e-10;
 /// Distance over a narrow step, relative to what the coordinate has gone, that is rounding: a root's is 1e-6.
@@ -147,10 +153,10 @@ const MOST: usize = 20_000;
 const NARROW: f64 = 1e-12;
 /// Share of the way from home to which a fork is located, and below which its value is zero.
 const ZERO: f64 = 1e-15;
-/// Coordinates that are zero: metres, radians.
+/// Coordinates that are zero, in their units.
 const NOUGHT: f64 = 1e-20;
-/// Values that differ by less than this share are those of one change.
-const ONE: f64 = 1e-9;
+/// Values that differ by less than this share are those of one change: places about a fork are known to the root of rounding.
+const ONE: f64 = 1e-7;
 /// Distance over such a step, relative to what the coordinate has gone, that is a root's and not a leap's.
 const JOINED: f64 = 1e-2;
 /// How far behind a fork, relative to the way from home, the places that part from it are sought.
@@ -180,6 +186,7 @@ impl Branch {
             beyond: Beyond::Followed,
             own: Vec::new(),
             closed: Vec::new(),
+            sizes: Sizes::new(machine.coordinates().iter().map(|q| q.unit.as_str())),
         }
     }
 
@@ -234,7 +241,7 @@ impl Branch {
                 self.changes.iter().filter(|c| c.upwards == change.upwards && between(change.value, c.value, usize::from(change.upwards)));
             let end = next.map(|c| c.value).min_by(|a, b| (a - change.value).abs().total_cmp(&(b - change.value).abs()));
             let behind = arm.iter().filter(|s| between(change.value, s.value, usize::from(change.upwards)));
-            let last = behind.take_while(|s| end.is_none_or(|e| !between(e, s.value, usize::from(change.upwards)))).last();
+            let last = behind.take_while(|s| end.is_none_or(|e| between(s.value, e, usize::from(change.upwards)))).last();
             change.behind = last.and_then(|s| s.spot.as_ref().map(|spot| (s.value, spot.place.q.clone())));
         }
         list.sort_by(|a, b| a.value.total_cmp(&b.value));
@@ -363,40 +370,64 @@ impl Branch {
         if (to - a.value).abs() <= NARROW * to.abs().max(a.value.abs()).max((to - self.home).abs()) || middle == a.value || middle == to {
             return self.singular(machine, side, Station { value: to, spot: there, parted: true });
         }
+        let mut next = None;
         if let Some(spot) = there
             && (self.steps > MOST || self.smooth(machine, here, (&spot, to), a.value)?)
         {
-            if !spot.violated.is_empty() {
-                return self.touch(machine, side, Station { value: to, spot: Some(spot), parted: false });
-            }
-            if here.unstable == 0 && spot.unstable > 0 {
-                return self.fork(machine, side, Station { value: to, spot: Some(spot), parted: false });
-            }
-            self.push(side, Station { value: to, spot: Some(spot), parted: false });
-            return Ok(());
+            next = Some(spot);
+        } else if let Some(ahead) = self.ahead(side, to)
+            && let Some(spot) = self.spot(machine, to, &ahead)?
+            && self.smooth(machine, here, (&spot, to), a.value)?
+        {
+            next = Some(spot);
+        }
+        if let Some(spot) = next {
+            let forks = here.unstable == 0 && spot.unstable > 0;
+            let station = Station { value: to, spot: Some(spot), parted: false };
+            return match station.spot.as_ref().is_some_and(|s| !s.violated.is_empty()) {
+                true => self.touch(machine, side, station),
+                false if forks => self.fork(machine, side, station),
+                false => {
+                    self.push(side, station);
+                    Ok(())
+                }
+            };
         }
         self.cell(machine, side, middle)?;
         self.walk(machine, side, to)
     }
 
-    /// Whether the places at the quarters lie where the chord has its own. A root √p that begins within the step meets the chord at one of them, not at all.
+    /// The place at a value on the straight way through the last two stations. It leads past a change point of the connections, where reactions grow without
+    /// bound and Newton's method from this side does not arrive on the other.
+    fn ahead(&self, side: usize, to: f64) -> Option<Vec<f64>> {
+        let [.., before, last] = self.arms[side].as_slice() else { return None };
+        let (a, b) = (before.spot.as_ref()?, last.spot.as_ref()?);
+        let share = (to - before.value) / (last.value - before.value);
+        (!last.parted && share.is_finite()).then(|| mixed(&a.place.q, &b.place.q, share))
+    }
+
+    /// Whether the places at the quarters lie where the chord or a parabola has its own. A root √p that begins within the step meets neither; a coordinate
+    /// that turns round is a parabola over a chord of nothing.
     fn smooth(&mut self, machine: &mut LinearMachine, a: &Spot, (b, to): (&Spot, f64), from: f64) -> Result<bool, Fault> {
+        let mut off: Vec<Vec<f64>> = Vec::new();
         for share in [0.5, 0.75, 0.25] {
             let chord = mixed(&a.place.q, &b.place.q, share);
             let Some(m) = self.spot(machine, from + share * (to - from), &chord)? else { return Ok(false) };
             if m.unstable != a.unstable && m.unstable != b.unstable || b.violated.is_empty() && !m.violated.is_empty() {
                 return Ok(false);
             }
-            let (a, b, m) = (&a.place.q, &b.place.q, &m.place.q);
-            let within = |i: usize| {
-                let gone = self.reach[i].max((b[i] - a[i]).abs()).max((m[i] - a[i]).abs());
-                (m[i] - chord[i]).abs() <= SMOOTH * (b[i] - a[i]).abs() + SLIGHT * gone + NOTHING
-            };
-            if !(0..a.len()).all(within) {
-                return Ok(false);
-            }
+            off.push(m.place.q.iter().zip(&chord).map(|(m, c)| m - c).collect());
         }
-        Ok(true)
+        let (a, b) = (&a.place.q, &b.place.q);
+        let sizes = self.sizes.at(&[a, b, &self.place.q]);
+        let within = |i: usize| {
+            let (span, half) = ((b[i] - a[i]).abs(), off[0][i]);
+            let slight = SLIGHT * self.reach[i].max(span).max(half.abs()) + NOTHING * sizes[i];
+            let straight = off.iter().all(|off| off[i].abs() <= SMOOTH * span + slight);
+            let bent = || off[1..].iter().all(|off| (off[i] - 0.75 * half).abs() <= BENT * span.max(half.abs()) + slight);
+            straight || bent()
+        };
+        Ok((0..a.len()).all(within))
     }
 
     fn push(&mut self, side: usize, station: Station) {
@@ -439,7 +470,7 @@ impl Branch {
         if between(self.last(side).value, low.value, side) {
             // a fork may lie on the way there
             self.push_or_walk(machine, side, low.clone())?;
-            if self.last(side).spot.is_none_or(|s| !same(&s.place.q, &here)) {
+            if self.last(side).spot.is_none_or(|s| !self.same(&s.place.q, &here)) {
                 return self.walk(machine, side, to.value);
             }
         }
@@ -467,7 +498,8 @@ impl Branch {
         let step = BEHIND * (to.value - self.home);
         let sets = self.contacts.as_ref().map(|c| c.successors(margins, violated)).unwrap_or_default();
         let reach = self.reach.clone();
-        let near = |spot: &Spot| (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= JOINED * reach[i] + BEHIND);
+        let sizes = self.sizes.at(&[here, &self.place.q]);
+        let near = |spot: &Spot| (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= JOINED * reach[i] + BEHIND * sizes[i]);
         for set in sets {
             self.closed = set;
             let Some(spot) = self.spot(machine, value + step, here)? else { continue };
@@ -527,8 +559,10 @@ impl Branch {
         let a = self.last(side);
         let here = a.spot.map(|s| s.place.q).unwrap_or_default();
         let reach = self.reach.clone();
-        let within =
-            |spot: &Spot, share: f64, least: f64| (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= share * reach[i] + least);
+        let sizes = self.sizes.at(&[&here, &self.place.q]);
+        let within = |spot: &Spot, share: f64, least: f64| {
+            (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= share * reach[i] + least * sizes[i])
+        };
         // where Newton's method fails in the singular place itself, another start may lead beside it
         let to = match to.spot {
             None => Station { spot: self.anew(machine, to.value, (None, None))?.0, ..to },
@@ -536,6 +570,13 @@ impl Branch {
         };
         if let Some(spot) = to.spot.as_ref().filter(|s| within(s, JOINED, 1e3 * NOTHING)) {
             let (far, real) = (spot.place.q.clone(), !within(spot, NOISE, NOTHING));
+            if let Some((at, spot)) = self.joined(machine, side, (to.value, &far))? {
+                self.change(side, at, Event::Joins, &spot.place.q);
+                if between(a.value, at, side) {
+                    self.push(side, Station { value: at, spot: Some(spot), parted: true });
+                    return Ok(());
+                }
+            }
             match self.known(side, to.value, Event::Joins) {
                 Some(known) => known.at = far,
                 None if real => self.change(side, to.value, Event::Joins, &far),
@@ -548,6 +589,9 @@ impl Branch {
         if let Some(at) = self.known(side, to.value, Event::Joins).map(|c| c.value) {
             self.changes.retain(|c| c.value != at || c.event != Event::Joins);
         }
+        // and rounding may take the last step of it for a loss of stability
+        let near = ONE * to.value.abs().max((to.value - self.home).abs());
+        self.changes.retain(|c| c.upwards != (side == 1) || c.event != Event::Loses || (c.value - to.value).abs() > near);
         let (spot, event) = self.anew(machine, to.value, (Some(&here), to.spot))?;
         if self.known(side, to.value, Event::Ends).is_none() && self.known(side, to.value, Event::Falls).is_none() {
             self.change(side, to.value, event, &here);
@@ -641,13 +685,16 @@ impl Branch {
         let slowest = diverging(machine, &own.place)?.into_iter().min_by(|a, b| a.root.0.total_cmp(&b.root.0));
         let Some(shape) = slowest.map(|m| m.shape.iter().map(|z| z.0).collect::<Vec<f64>>()) else { return Ok(Vec::new()) };
         let mut found: Vec<Vec<Station>> = Vec::new();
+        let sizes = self.sizes.at(&[at, &self.place.q]);
+        let unit = (0..shape.len()).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs())).map_or(1.0, |i| sizes[i]);
+        let unit = if unit > 0.0 { unit } else { 1.0 };
         for size in std::iter::successors(Some(1.0), |s| Some(s / 3.0)).take(SEEDS) {
             for sign in [1.0, -1.0] {
-                let away = sign * size;
+                let away = sign * size * unit;
                 let guess: Vec<f64> = own.place.q.iter().zip(&shape).map(|(q, v)| q + away * v).collect();
                 let Some(spot) = self.spot(machine, fork + step, &guess)? else { continue };
-                let known = found.iter().filter_map(|f| f.last()?.spot.as_ref()).any(|other| same(&other.place.q, &spot.place.q));
-                if spot.unstable > 0 || known || same(&spot.place.q, &own.place.q) {
+                let known = found.iter().filter_map(|f| f.last()?.spot.as_ref()).any(|other| self.same(&other.place.q, &spot.place.q));
+                if spot.unstable > 0 || known || self.same(&spot.place.q, &own.place.q) {
                     continue;
                 }
                 found.extend(self.inwards(machine, (fork, step), &own, spot)?);
@@ -681,6 +728,10 @@ impl Branch {
         Ok((last > 0.0 && last <= 0.5 * first).then_some(list))
     }
 
+    fn same(&self, a: &[f64], b: &[f64]) -> bool {
+        self.sizes.same([a, b], &self.place.q, ONE_PLACE)
+    }
+
     /// Of places that part from `at`, that on the side of the file's start; of two alike the one where the coordinate that moves most grows.
     fn preferred(&self, found: &[Vec<Station>], at: &[f64]) -> Option<usize> {
         let moved = |list: &Vec<Station>| -> Vec<f64> {
@@ -700,6 +751,9 @@ impl Branch {
         })
     }
 }
+
+/// Distance of places that are one, relative to the sizes of the coordinates.
+const ONE_PLACE: f64 = 1e-9;
 
 /// Guesses beside a fork, each a third of the last: down to 3^-16 = 2e-8 of the unit.
 const SEEDS: usize = 17;
@@ -732,8 +786,4 @@ fn mixed(a: &[f64], b: &[f64], share: f64) -> Vec<f64> {
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
-}
-
-fn same(a: &[f64], b: &[f64]) -> bool {
-    distance(a, b) <= 1e-9 * (1.0 + a.iter().chain(b).fold(0.0_f64, |m, v| m.max(v.abs())))
 }

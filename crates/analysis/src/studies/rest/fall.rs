@@ -4,10 +4,11 @@
 //! M q' = h(q)          (M/τ + C) δ = h, q ← q + δ, τ ← τ |h|/|h + ...|        until h = 0
 //! ```
 //!
+//! With connections q moves along their surface: M, C, h are those of the motions that they allow, and every step is drawn back onto it.
 //! Downhill all the way, so that an unstable place is not a place to stop at. *Source*: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient
 //! continuation, SIAM J. Numer. Anal. 35 (1998) 508-523.
 
-use crate::linear::{LinearMachine, Matrices, Place, parts};
+use crate::linear::{LinearMachine, Matrices, parts};
 use algebra::cholesky::positive_definite;
 use algebra::lu::Lu;
 
@@ -22,24 +23,15 @@ const CLOSE: f64 = 1e-9;
 /// Steps of time, relative to the fastest motion, in which a machine that is let go on a slope would have moved further.
 const SLOW: f64 = 1e3;
 
-/// The place near which the way from q ends; none where it leads nowhere, and for machines with connections.
+/// The place near which the way from q ends; none where it leads nowhere, and where conditions on rates restrain no places.
 pub fn fall(machine: &mut LinearMachine, q: &[f64]) -> Option<Vec<f64>> {
-    if !machine.linear().conditions.is_empty() {
-        return None;
-    }
-    let n = q.len();
-    let mut q = q.to_vec();
-    let mut here = machine.at(&Place::rest(&q)).ok()?;
-    let mut tau = 1e-2 * time(&here)?;
+    let mut here = Slope::at(machine, q)?;
+    let mut tau = 1e-2 * time(&here.along)?;
     let angles: Vec<bool> = machine.coordinates().iter().map(|c| c.unit == "rad").collect();
     let mut size = 0.0_f64;
     for _ in 0..STEPS {
-        let resistance = resistance(&here);
-        let matrix: Vec<f64> = (0..n * n).map(|p| resistance[p] / tau + here.stiffness[p]).collect();
-        // beyond this step of time the way would turn uphill
-        let downhill = positive_definite(&parts(&matrix, n).0, n) == Some(true);
-        let step = Lu::new(&matrix, n).solve(&here.force).filter(|_| downhill);
-        size = q.iter().zip(&angles).filter(|(_, angle)| !**angle).fold(size, |m, (q, _)| m.max(q.abs()));
+        let step = here.step(tau);
+        size = here.q.iter().zip(&angles).filter(|(_, angle)| !**angle).fold(size, |m, (q, _)| m.max(q.abs()));
         let longest = step.as_ref().map_or(f64::NAN, |s| longest(s, size, &angles));
         let Some(step) = step.filter(|_| longest <= LONGEST) else {
             tau *= 0.5;
@@ -48,15 +40,53 @@ pub fn fall(machine: &mut LinearMachine, q: &[f64]) -> Option<Vec<f64>> {
             }
             continue;
         };
-        q.iter_mut().zip(&step).for_each(|(q, s)| *q += s);
-        let there = machine.at(&Place::rest(&q)).ok()?;
-        if longest <= CLOSE && tau * rate(&there) > SLOW {
-            return Some(q);
+        let next: Vec<f64> = here.q.iter().zip(&step).map(|(q, s)| q + s).collect();
+        let there = Slope::at(machine, &next)?;
+        if longest <= CLOSE && tau * rate(&there.along) > SLOW {
+            return Some(there.q);
         }
         tau *= GROWTH;
         here = there;
     }
     None
+}
+
+/// A place on the surface of the connections, with the matrices along it.
+struct Slope {
+    q: Vec<f64>,
+    along: Matrices,
+    /// Basis of the motions along the surface, row by row; none where all coordinates are free.
+    basis: Option<Vec<f64>>,
+}
+
+impl Slope {
+    fn at(machine: &mut LinearMachine, q: &[f64]) -> Option<Slope> {
+        let place = machine.drawn(q).ok()?;
+        let found = machine.at(&place).ok()?;
+        if !found.drift.is_empty() {
+            return None;
+        }
+        Some(match found.allowed() {
+            Some((z, k)) => Slope { q: place.q, along: found.reduced(&z, k), basis: Some(z) },
+            None => Slope { q: place.q, along: found, basis: None },
+        })
+    }
+
+    /// The change of the coordinates in a step of time; none beyond the step at which the way would turn uphill.
+    fn step(&self, tau: f64) -> Option<Vec<f64>> {
+        let k = self.along.n;
+        if k == 0 {
+            return None;
+        }
+        let resistance = resistance(&self.along);
+        let matrix: Vec<f64> = (0..k * k).map(|p| resistance[p] / tau + self.along.stiffness[p]).collect();
+        let downhill = positive_definite(&parts(&matrix, k).0, k) == Some(true);
+        let along = Lu::new(&matrix, k).solve(&self.along.force).filter(|_| downhill)?;
+        Some(match &self.basis {
+            Some(z) => z.chunks(k).map(|row| row.iter().zip(&along).map(|(z, y)| z * y).sum()).collect(),
+            None => along,
+        })
+    }
 }
 
 /// The longest change, angles in rad, others relative to a size.

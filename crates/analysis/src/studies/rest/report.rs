@@ -127,6 +127,7 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
 /// A place with all its reactions, its stability, and without values that it does not determine.
 fn whole(studied: Studied, parameters: &[f64], mut place: Place) -> Result<Row, Fault> {
     observed::complete(studied.rest, (parameters, &place.q), &mut place.reactions);
+    observed::complete_turning(studied.motion, (parameters, &place.q), &mut place.reactions);
     let mut row = judged(studied, parameters, place)?;
     observed::open_shared(studied.rest, parameters, &mut row.place)?;
     Ok(row)
@@ -228,7 +229,7 @@ fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fa
         }
     }
     let all: Vec<crate::rest::system::Row> = rows.forces.iter().chain(&rows.places).cloned().collect();
-    let residual = worst(&all, &z, system.n);
+    let residual = worst(&all, &z);
     Ok(Ok((Place { q: q.to_vec(), reactions, closed, residual }, notes)))
 }
 

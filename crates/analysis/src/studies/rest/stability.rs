@@ -9,6 +9,8 @@
 //! | on the axis; C singular otherwise | neutral to first order: small motions do not decide |
 //! | on the axis; held by gyroscopic or circulatory forces alone | small motions do not decide |
 //!
+//! Matrices are compared in coordinates in which the stiffnesses on the diagonal are 1.
+//!
 //! Where bodies without mass leave no roots the energy decides alone. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 3 and 6.
 
 use symbolic::Equations;
@@ -42,6 +44,7 @@ pub fn verdict(along: &Matrices, growth: f64, fastest: f64) -> Option<bool> {
     if n == 0 {
         return Some(true);
     }
+    let along = &scaled(along);
     if growth > AXIS * fastest {
         return Some(false);
     }
@@ -72,8 +75,20 @@ fn falls(even: &[f64], n: usize) -> bool {
     found.values.iter().any(|v| *v < -AXIS * largest)
 }
 
+/// The same in coordinates whose stiffnesses are alike: a soft spring beside a hard one is none the less there.
+fn scaled(along: &Matrices) -> Matrices {
+    let n = along.n;
+    let own = |i: usize| along.stiffness[i * n + i].abs();
+    let row = |i: usize| largest(&along.stiffness[i * n..(i + 1) * n]);
+    let size = |i: usize| [own(i), row(i), 1.0].into_iter().find(|v| *v > 0.0).unwrap_or(1.0);
+    let units: Vec<f64> = (0..n).map(|i| size(i).sqrt().recip()).collect();
+    let diagonal: Vec<f64> = (0..n * n).map(|p| if p / n == p % n { units[p / n] } else { 0.0 }).collect();
+    along.reduced(&diagonal, n)
+}
+
 /// Directions along the surface that no stiffness resists.
 pub fn free_directions(along: &Matrices) -> usize {
+    let along = &scaled(along);
     let n = along.n;
     let scale = largest(&along.stiffness);
     if scale == 0.0 {
