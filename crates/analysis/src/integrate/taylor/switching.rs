@@ -72,7 +72,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// but a guard like the slack of a rope, l - sqrt(x² + y²), is none.
     pub(super) fn trusted(&self, step: &Step, h: f64) -> f64 {
         let scheduled = |i: usize| self.system.guards()[i].scheduled.is_some();
-        (0..self.modes.len()).filter(|i| !scheduled(*i)).fold(h, |h, i| convergent(step.guards.row(i), h, self.rule.tolerance))
+        // what holds is zero: its polynomial is rounding, and nobody asks for its roots
+        let holds = |i: usize| self.modes[i] == Mode::Zero;
+        (0..self.modes.len())
+            .filter(|i| !scheduled(*i) && !holds(*i))
+            .fold(h, |h, i| convergent(step.guards.row(i), h, self.rule.tolerance))
     }
 
     pub(super) fn crossing(&mut self, i: usize, h: f64) -> Option<f64> {
