@@ -16,7 +16,7 @@ use super::Machine;
 use super::conditions::Conditions;
 use super::leap::Leap;
 use crate::fault::bends;
-use crate::{Fault, Mode};
+use crate::{Fault, GuardKind, Mode};
 use words::Text;
 
 /// Share of its size above which a momentum, a rate or a place jumps.
@@ -31,11 +31,13 @@ impl Machine {
     pub(super) fn pass_bend(&mut self, (t, x): (f64, &[f64]), modes: [&[Mode]; 2]) -> Result<Vec<usize>, Fault> {
         let flipped = (0..self.guards.len()).filter(|&i| modes[0][i] != modes[1][i]);
         let switch = crate::connections::listed(flipped.map(|i| &self.guards[i].name));
-        if self.momentum_jumps((t, x), modes) {
+        let Some(beside) = Beside::new((t, x), self.n_coordinates_of()) else { return Ok(Vec::new()) };
+        let Some(sides) = self.modes_beside(&beside, modes) else { return Ok(Vec::new()) };
+        let sides = [&sides[0][..], &sides[1][..]];
+        if self.momentum_jumps((t, x), sides) {
             return Err(bends::bent_place(&switch, t));
         }
-        let Some(beside) = Beside::new((t, x), self.n_coordinates_of()) else { return Ok(Vec::new()) };
-        if self.potential_jumps(&beside, modes) {
+        if self.potential_jumps(&beside, sides) {
             return Err(bends::broken_pathway(&switch, t));
         }
         if self.body_jumps(&beside) {
@@ -49,6 +51,17 @@ impl Machine {
 
     fn n_coordinates_of(&self) -> usize {
         self.bound.program().coordinates
+    }
+
+    /// The modes on both sides: a switch that decides something on one side only has its value there. None where a formula has none.
+    fn modes_beside(&mut self, beside: &Beside, modes: [&[Mode]; 2]) -> Option<[Vec<Mode>; 2]> {
+        let mut side = |k: usize| {
+            let (t, x) = &beside.sides[k][0];
+            let values = self.bound.modes(*t, x).ok()?;
+            let mode = |i: usize| if self.guards[i].kind == GuardKind::Switch { super::returned(values[i]) } else { modes[k][i] };
+            Some((0..self.guards.len()).map(mode).collect())
+        };
+        Some([side(0)?, side(1)?])
     }
 
     /// q'ᵀ (M₊ - M₋) d for a direction d that nothing distinguishes; T is a quadratic form.
