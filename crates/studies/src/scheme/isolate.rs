@@ -290,7 +290,7 @@ impl Cut<'_, '_> {
                         _ => continue,
                     };
                     let (at, to) = (self.sketch.seen(own), self.sketch.seen(other));
-                    let turn = direction(at, to) + if grows(&act) { PI } else { 0.0 };
+                    let turn = direction(at, to) + if self.grows(&act) { PI } else { 0.0 };
                     let letter = self.force_of(&act);
                     self.arrow(&act.path, (at, turn), letter);
                 }
@@ -300,7 +300,9 @@ impl Cut<'_, '_> {
                         (false, Some(from)) => (from, -1.0),
                         _ => continue,
                     };
-                    let Some(turn) = self.sketch.stage.turn(way.map(|c| c * sign * if grows(&act) { 1.0 } else { -1.0 })) else { continue };
+                    let Some(turn) = self.sketch.stage.turn(way.map(|c| c * sign * if self.grows(&act) { 1.0 } else { -1.0 })) else {
+                        continue;
+                    };
                     let at = self.sketch.grip(point, turn);
                     let letter = self.force_of(&act);
                     self.arrow(&act.path, (at, turn), letter);
@@ -313,10 +315,19 @@ impl Cut<'_, '_> {
                     };
                     let at = self.sketch.pivot(on, from);
                     let letter = self.force_of(&act);
-                    self.bow(&act.path, (at, sign * sense * if grows(&act) { 1.0 } else { -1.0 }), letter);
+                    self.bow(&act.path, (at, sign * sense * if self.grows(&act) { 1.0 } else { -1.0 }), letter);
                 }
                 Ends::Unknown => {}
             }
+        }
+    }
+
+    /// Whether a positive force makes the pathway longer: loads and drives do, and a stop that holds it from below; springs, dampers and a stop that holds it from above
+    /// make it shorter, frictions resist.
+    fn grows(&self, act: &Act) -> bool {
+        match act.table {
+            "stops" => matches!(self.sketch.connection(act), Some(ConnectionKind::Stop { above: true, .. })),
+            table => matches!(table, "forces" | "motors" | "motions"),
         }
     }
 
@@ -392,9 +403,4 @@ impl Cut<'_, '_> {
 /// Distance of a point from a line.
 fn off(at: P, turn: f64, p: P) -> f64 {
     ((p[0] - at[0]) * turn.sin() + (p[1] - at[1]) * turn.cos()).abs()
-}
-
-/// Whether a positive force makes the pathway longer; springs and dampers pull it shorter, frictions resist.
-fn grows(act: &Act) -> bool {
-    matches!(act.table, "forces" | "motors" | "motions" | "stops")
 }
