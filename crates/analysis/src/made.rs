@@ -23,4 +23,6 @@ pub static POINCARE: fn(&mut Machine, &[f64], Poincare<'_>) -> Outcome = poincar
 /// Places of rest.
 pub static EQUILIBRIUM: fn(&mut Machine, &[f64], &Equilibrium) -> Outcome = equilibrium::<Machine>;
 /// States that a motion passes.
-pub static SAMPLES: fn(&mut Machine, &[f64], Draw) -> Result<Vec<Vec<f64>>, Fault> = samples::<Machine>;
+pub static SAMPLES: fn(&mut Machine, &[f64], Draw) -> States = samples::<Machine>;
+
+type States = Result<Vec<Vec<f64>>, Fault>;

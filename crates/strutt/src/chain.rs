@@ -40,7 +40,7 @@ fn write_model(out: &mut String, n: usize) -> std::fmt::Result {
 }
 
 fn link(out: &mut String, i: usize) -> std::fmt::Result {
-    writeln!(out, "\n[bodies.link_{i}]")?;
+    writeln!(out, "\n[bodies.link_{i}]\nlabel = {{ en = \"link {i}\", ru = \"звено {i}\" }}")?;
     if i > 1 {
         writeln!(out, "origin = \"A_{}\"", i - 1)?;
     }

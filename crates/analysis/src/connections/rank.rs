@@ -383,7 +383,10 @@ fn without_place(reaction: &str, open: &Reaction) -> Text {
 /// Reactions with what they are of: names alone do not say which bodies are held twice.
 fn not_unique(open: &[&Reaction]) -> Text {
     let list = |pick: fn(&Text) -> &str| {
-        let told = |r: &&Reaction| if pick(&r.label).is_empty() { r.name.clone() } else { format!("{} ({})", r.name, pick(&r.label)) };
+        let told = |r: &&Reaction| {
+            let label = pick(&r.label);
+            if label.is_empty() || label == r.name { r.name.clone() } else { format!("{} ({label})", r.name) }
+        };
         open.iter().map(told).collect::<Vec<_>>().join(", ")
     };
     Text::new(

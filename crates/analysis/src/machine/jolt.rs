@@ -25,6 +25,9 @@ fn beside(t: f64) -> [f64; 2] {
     [t - gap, t + gap]
 }
 
+/// Numbers of a machine at (t, x) in modes; none where they have no value.
+type AtAnInstant = fn(&mut Machine, f64, &[f64], &[Mode]) -> Option<Vec<f64>>;
+
 impl Machine {
     /// See [`System::jolt`].
     pub(super) fn jump(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
@@ -64,12 +67,7 @@ impl Machine {
     }
 
     /// Values on both sides of an instant, each side with its modes.
-    fn leap(
-        &mut self,
-        (t, x): (f64, &[f64]),
-        modes: [&[Mode]; 2],
-        values: fn(&mut Machine, f64, &[f64], &[Mode]) -> Option<Vec<f64>>,
-    ) -> Option<Leap> {
+    fn leap(&mut self, (t, x): (f64, &[f64]), modes: [&[Mode]; 2], values: AtAnInstant) -> Option<Leap> {
         let [earlier, later] = beside(t);
         let mut side = |times: [f64; 2], modes: &[Mode]| {
             let [near, far] = times.map(|t| values(self, t, x, modes));

@@ -208,6 +208,7 @@ impl Real {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::studies::amplitudes::Gain;
 
     fn chain() -> Matrices {
         // two equal masses between three equal springs: ω = 10 (in phase) and 10√3 (against each other)

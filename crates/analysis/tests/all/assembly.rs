@@ -124,7 +124,7 @@ fn repeated_condition_is_left_out_and_its_reactions_are_open() {
     let outcome = simulate(&mut machine, &start, others);
     assert!(outcome.fault.is_none(), "{:?}", outcome.fault);
     assert!(outcome.fault.is_none() && outcome.dataset.column("x").is_some());
-    assert!(outcome.dataset.notes.iter().any(|n| n.en.contains("not unique")));
+    assert!(outcome.dataset.notes.iter().any(|n| n.en.contains("their shares are open: first, second")));
 }
 
 #[test]

@@ -61,13 +61,16 @@ pub enum Pictures {
     Packed(Package),
 }
 
+/// Name and bytes of a file.
+pub type Named = (String, Vec<u8>);
+
 /// A file that holds the text of a page and its pictures.
 #[derive(Clone, Copy, Debug)]
 pub struct Package {
     /// How its pictures are drawn.
     pub drawing: Drawing,
     /// The text and the pictures, name and bytes, as one file.
-    pub pack: fn(&str, &[(String, Vec<u8>)]) -> Vec<u8>,
+    pub pack: fn(&str, &[Named]) -> Vec<u8>,
 }
 
 /// A kind of picture.

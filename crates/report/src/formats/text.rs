@@ -1,7 +1,7 @@
 //! Terminal text of a [`Document`]: headings, paragraphs cut to the width, tables aligned on the decimal mark.
 
 use super::{Format, Holds, Page, Pictures, Sheet};
-use crate::document::{Block, Content, Document, Front};
+use crate::document::{Block, Content, Document, Front, Rich};
 use crate::figure::Figure;
 use crate::number::short;
 use crate::symbol;
@@ -157,23 +157,17 @@ impl Writer {
                 self.out.push_str(&text);
             }
             Block::Figure(figure) => {
-                self.figures += 1;
-                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, figure.title.plain(self.language));
-                self.paragraph(&caption);
+                self.figure(&figure.title);
                 let summary = figure_summary(figure, self.language);
                 self.out.push_str(&summary);
             }
             Block::Bands(bands) => {
-                self.figures += 1;
-                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, bands.title.plain(self.language));
-                self.paragraph(&caption);
+                self.figure(&bands.title);
                 let summary = bands.summary(self.language);
                 self.out.push_str(&summary);
             }
             Block::Scheme(scheme) => {
-                self.figures += 1;
-                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, scheme.title.plain(self.language));
-                self.paragraph(&caption);
+                self.figure(&scheme.title);
                 scheme.summary.iter().for_each(|line| self.line(&format!("  {line}")));
             }
             Block::Details { summary, blocks } => {
@@ -194,6 +188,13 @@ impl Writer {
             }
             Block::Verbatim(text) => text.lines().for_each(|line| self.line(line)),
         }
+    }
+
+    /// The caption of a figure.
+    fn figure(&mut self, title: &Rich) {
+        self.figures += 1;
+        let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, title.plain(self.language));
+        self.paragraph(&caption);
     }
 
     fn front(&mut self, front: &Front) {

@@ -109,7 +109,8 @@ fn rows_at_events_and_switches_are_those_of_simulate() {
     for option in ["--events", "--switches"] {
         let [asked, usual] = ["inverse", "simulate"].map(|study| stdout(strutt().arg(study).arg(&path).args([option, "--csv"])));
         assert_eq!(asked, usual, "{option}");
-        assert!(asked.contains("force(P) = 0.28 N m s"), "{asked}");
+        // rows at events name them with their impulses
+        assert_eq!(asked.contains("force(P) = 0.28 N m s"), option == "--events", "{asked}");
     }
     let plain = stdout(strutt().arg("inverse").arg(&path).arg("--csv"));
     assert_ne!(plain, stdout(strutt().arg("inverse").arg(&path).args(["--switches", "--csv"])));

@@ -1,7 +1,7 @@
 //! Sources, the file as it is, values of motions row by row.
 
-use super::Work;
 use super::pen::Pen;
+use super::work::Work;
 use crate::results::Results;
 use report::document::Rich;
 use report::table::Column;

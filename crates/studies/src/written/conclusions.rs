@@ -1,7 +1,7 @@
 //! Conclusions: statements with guards over numbers. A statement is written only where its guard holds, and its words say no more than that.
 
-use super::Work;
 use super::pen::{Pen, lowered};
+use super::work::Work;
 use crate::results::Results;
 use symbolic::equations::Role;
 use words::Language;

@@ -6,9 +6,9 @@
 //!
 //! *Source*: A. A. Yablonskii, S. S. Noreiko, Course of the theory of vibrations.
 
-use super::Work;
 use super::pen::{Coefficients, Pen, inline, words};
 use super::quantity::{chain, with_unit};
+use super::work::Work;
 use report::Block;
 use report::document::Rich;
 use report::figure::{Axis, Figure, Kind, Mark, Pen as Line, Series};
@@ -34,7 +34,8 @@ pub(super) fn peak(zeta: f64) -> Option<(f64, f64)> {
 
 pub(super) fn write(work: &Work, found: &Coefficients, pen: &mut Pen) {
     let responses = work.model.studies.iter().any(|s| s.kind == "response");
-    if !responses || !(found.a > 0.0 && found.c > 0.0 && found.b >= 0.0) {
+    let oscillates = found.a > 0.0 && found.c > 0.0 && found.b >= 0.0;
+    if !(responses && oscillates) {
         return;
     }
     let (n, k) = (found.b / (2.0 * found.a), (found.c / found.a).sqrt());
@@ -50,7 +51,7 @@ fn told(work: &Work, ([n, k, zeta], working): ([f64; 3], Option<&(f64, Layout)>)
     let square = |of: Layout| Layout::Power(Box::new(of), Box::new(digit("2")));
     let over = |a: Layout, b: Layout| Layout::Fraction(Box::new(a), Box::new(b));
     let size = |x: f64| report::formula::value(x, 6, language);
-    let own = |name: &str, value: f64| Layout::Symbol(work.printer.named(&super::linear::free(work, name, value)));
+    let own = |name: &str, value: f64| Layout::Symbol(work.printer.named(&super::coefficients::free(work, name, value)));
     let load = working.map_or_else(|| letter("p"), |(_, symbol)| symbol.clone());
     pen.tell(vec![
         words(language.pick("With the ratio of the frequencies z = ", "С отношением частот z = ")),

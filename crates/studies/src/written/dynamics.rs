@@ -1,12 +1,12 @@
 //! Chapter 3: energies, generalized forces by virtual power, Lagrange's equations, the check by a second derivation, equilibrium.
 
-use super::Work;
 use super::facts::Moves;
 use super::kinematics::definitions;
+use super::pen::capital;
 use super::pen::{Pen, inline, words};
 use super::quantity::fitted;
-use super::statement::capital;
 use super::wording::Word;
+use super::work::Work;
 use mechanics::model::{ConnectionKind, Depth, Frame, Inertia};
 use report::document::{Inline, Rich};
 use report::formula::{Layout, Relation, Sign};
@@ -26,7 +26,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     }
     for results in work.results_of(Word::Dynamics) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(work.below(results), heading));
+        pen.section(heading, |pen| pen.take(super::sentences::below(work, results), heading));
     }
 }
 

@@ -1,8 +1,8 @@
 //! What the file gives, as rows of facts: bodies with their motion, connections, elements. Bodies are numbered in the order of the file.
 
-use super::Work;
 use super::pen::{inline, words};
 use super::wording::Word;
+use super::work::Work;
 use mechanics::model::{Connection, ConnectionKind, Element, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Slides, SupportDirection};
 use report::document::Rich;
 use report::formula::{Layout, Relation};
@@ -247,7 +247,7 @@ impl Work<'_> {
             if std::mem::replace(&mut told, element.path.clone()) == element.path {
                 continue;
             }
-            let name = super::statement::capital(&self.element_name(element));
+            let name = super::pen::capital(&self.element_name(element));
             table.row(vec![Cell::words(name), Cell::Rich(Rich(self.law(element)))]);
         }
         (!table.rows.is_empty()).then_some(table)

@@ -1,7 +1,7 @@
 //! The title page.
 
-use super::Work;
-use super::statement::capital;
+use super::pen::capital;
+use super::work::Work;
 use mechanics::model::Front;
 use report::Block;
 use words::Text;

@@ -1,7 +1,7 @@
 //! All named quantities at the instants at which an acceleration is greatest: the table that a course asks for beside the curves.
 
-use super::Work;
 use super::pen::Pen;
+use super::work::Work;
 use crate::results::Results;
 use crate::simulate::{Simulate, motion};
 use crate::watch::Watch;

@@ -1,12 +1,11 @@
 //! Chapter 2: degrees of freedom, coordinates, what the connections demand.
 
-use super::Work;
-use super::pen::{Pen, inline, words};
-use super::statement::capital;
+use super::pen::{Pen, capital, inline, words};
 use super::wording::Word;
+use super::work::Work;
 use mechanics::model::Class;
 use report::document::{Inline, Rich};
-use report::formula::{Bracket, Layout, Sign};
+use report::formula::{Bracket, Layout, Relation, Sign};
 use report::table::Column;
 use report::{Cell, Table};
 use words::Language;
@@ -18,7 +17,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     }
     for results in work.results_of(Word::Kinematics) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(work.below(results), heading));
+        pen.section(heading, |pen| pen.take(super::sentences::below(work, results), heading));
     }
 }
 
@@ -134,7 +133,7 @@ fn conditions(work: &Work, pen: &mut Pen) {
         }
         pen.numbered(work.printer.block(upright(layout)));
     }
-    work.told_signs(pen);
+    told_signs(work, pen);
     definitions(work, pen);
 }
 
@@ -196,6 +195,24 @@ pub(super) fn definitions(work: &Work, pen: &mut Pen) {
     }
     pen.say(pen.word(Word::Where));
     definitions.into_iter().for_each(|layout| pen.formula(work.printer.block(layout)));
+}
+
+/// "During all motions 4 − s > 0."
+fn told_signs(work: &Work, pen: &mut Pen) {
+    if work.signs.is_empty() {
+        return;
+    }
+    let mut pieces = vec![words(work.language.pick("During all motions considered ", "Во всех рассмотренных движениях "))];
+    for (i, (e, sign)) in work.signs.iter().enumerate() {
+        let zero = Layout::Number { mantissa: "0".into(), exponent: None };
+        let mut graph = work.equations.graph.clone();
+        let positive = if *sign == Sign::Plus { *e } else { graph.neg(*e) };
+        let left = work.printer.layout(&graph, positive);
+        pieces.push(words(if i == 0 { "" } else { ", " }));
+        pieces.push(inline(Layout::Related(Box::new(left), Relation::Greater, Box::new(zero))));
+    }
+    pieces.push(words(work.language.pick("; the lengths are written so.", "; длины записаны с учётом этого.")));
+    pen.tell(pieces);
 }
 
 #[cfg(test)]

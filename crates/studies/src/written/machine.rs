@@ -1,8 +1,8 @@
 //! The equation of a machine with one degree of freedom, J φ'' + J' φ'²/2 = M, beside the equations with reactions.
 
-use super::Work;
 use super::pen::{Pen, inline, words};
 use super::quantity::{chain, sum_with_unit};
+use super::work::Work;
 use report::formula::{Layout, Relation, SymbolClass};
 use symbolic::transfer::{Reduced, reduce};
 use symbolic::{Expr, Graph, Node, Rational, Substitution, SymbolId};

@@ -4,6 +4,7 @@
 //! Words stand in one table, `wording`; a quantity with its formula, its substitution and its value is written by `quantity` alone.
 
 mod appendix;
+mod coefficients;
 mod conclusions;
 mod dimensionless;
 mod dynamics;
@@ -25,21 +26,15 @@ mod studied;
 mod tied;
 mod verification;
 mod wording;
+mod work;
 
 use crate::calculation::Calculation;
-use crate::results::{Extent, Results, View};
-use mechanics::Model;
 use mechanics::model::Depth;
-use pen::Pen;
-use report::document::Formula;
-use report::formula::{Layout, Printer, Sign};
+use pen::{Count, Pen};
 use report::{Block, Document};
-use symbolic::{Equations, Expr};
 use wording::Word;
 use words::Language;
-
-/// Characters of a line of formulas.
-const LINE: usize = 84;
+use work::Work;
 
 /// A chapter: its name in `[report]`, its title, how it is counted, what makes it.
 struct Chapter {
@@ -47,17 +42,6 @@ struct Chapter {
     title: Word,
     count: Count,
     make: fn(&Work, &mut Pen),
-}
-
-/// How a chapter is counted.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Count {
-    /// 1, 2, 3.
-    Number,
-    /// Not at all: conclusions, sources.
-    None,
-    /// Appendix A, B.
-    Letter,
 }
 
 /// The outline, in order.
@@ -77,75 +61,6 @@ const CHAPTERS: &[Chapter] = &[
     Chapter { name: "model", title: Word::ModelText, count: Count::Letter, make: appendix::model },
     Chapter { name: "tables", title: Word::Tables, count: Count::Letter, make: appendix::tables },
 ];
-
-/// The chapter in which a study is told; no study is left out.
-fn chapter_of(kind: &str) -> Word {
-    match kind {
-        "kinematics" => Word::Kinematics,
-        "equations" | "equilibrium" => Word::Dynamics,
-        "modes" => Word::Free,
-        "response" => Word::Forced,
-        "simulate" | "transient" | "inverse" | "poincare" => Word::Motion,
-        "statics" => Word::Reactions,
-        "claims" => Word::Verification,
-        _ => Word::Regime,
-    }
-}
-
-/// What a chapter is made from.
-struct Work<'a> {
-    calculation: &'a Calculation,
-    model: &'a Model,
-    equations: &'a Equations,
-    language: Language,
-    printer: Printer,
-    /// The same for formulas of the equations' own graph, with the signs that the motions keep.
-    own: Printer,
-    /// Expressions that keep their sign during all motions.
-    signs: Vec<(Expr, Sign)>,
-}
-
-impl<'a> Work<'a> {
-    fn new(calculation: &'a Calculation, language: Language) -> Work<'a> {
-        let machine = &calculation.machine;
-        let printer = Printer::of(&machine.equations, language).with_width(LINE);
-        let signs = signs::kept(calculation);
-        let own = printer.clone().with_signs(signs.clone());
-        Work { calculation, model: &machine.model, equations: &machine.equations, language, printer, own, signs }
-    }
-
-    /// A layout; numbers that print would cut are rounded instead: 0,327485 and not 0,327485….
-    fn settled(&self, make: impl Fn(&Printer) -> Layout) -> Layout {
-        let layout = make(&self.own);
-        let cut = Formula::inline(layout.clone()).text().contains('…');
-        if cut { make(&self.own.clone().rounded()) } else { layout }
-    }
-
-    /// A formula, settled.
-    fn readable(&self, graph: &symbolic::Graph, e: Expr) -> Layout {
-        self.settled(|printer| printer.layout(graph, e))
-    }
-
-    /// The results of studies that a chapter tells.
-    fn results_of(&self, chapter: Word) -> impl Iterator<Item = &'a Results> {
-        self.calculation.results.iter().filter(move |results| chapter_of(results.kind) == chapter)
-    }
-
-    /// What a study tells below its heading, in sentences.
-    fn below(&self, results: &Results) -> Vec<Block> {
-        let view = View { equations: self.equations, extent: Extent::Page, language: self.language };
-        sentences::Symbols::of(self).finished(results.below(&view))
-    }
-
-    /// Whether the machine has anything that moves or is held.
-    fn is_machine(&self) -> bool {
-        !self.equations.coordinates.is_empty() || !self.equations.reactions.is_empty()
-    }
-
-    fn text(&self, text: &'a words::Text) -> &'a str {
-        self.language.text(text)
-    }
-}
 
 /// Whether the file asks for a chapter; a short calculation has no appendix unless it is asked for.
 fn is_wanted(report: &mechanics::model::Report, chapter: &Chapter) -> bool {
@@ -171,7 +86,7 @@ pub fn compose(calculation: &Calculation, language: Language) -> Document {
     pen.blocks.extend(report.front.as_ref().map(|front| front::page(&work, front)));
     let at = pen.blocks.len();
     for chapter in CHAPTERS.iter().filter(|chapter| is_wanted(report, chapter)) {
-        pen.chapter(chapter, |pen| (chapter.make)(&work, pen));
+        pen.chapter((chapter.title, chapter.count), |pen| (chapter.make)(&work, pen));
     }
     // a work that is handed in lists its chapters
     if report.front.is_some() {

@@ -1,6 +1,6 @@
 //! What bodies, points, elements and connections are called in sentences: by their label, else by what they are and a number.
 
-use super::Work;
+use super::work::Work;
 use mechanics::model::{Connection, Element, Frame, FrameId, PointRef};
 
 /// What an element is, one of them.

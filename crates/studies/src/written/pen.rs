@@ -1,7 +1,6 @@
 //! The pen: headings are numbered, figures and tables are mentioned before they come, formulas know their numbers.
 
 use super::wording::Word;
-use super::{Chapter, Count};
 use report::document::{Formula, Inline, Rich};
 use report::formula::Layout;
 use report::table::Column;
@@ -21,6 +20,17 @@ pub(super) struct Coefficients {
     pub b: f64,
     pub c: f64,
     pub p: Option<(f64, Layout)>,
+}
+
+/// How a chapter is counted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Count {
+    /// 1, 2, 3.
+    Number,
+    /// Not at all: conclusions, sources.
+    None,
+    /// Appendix A, B.
+    Letter,
 }
 
 /// What is written, and the numbers so far.
@@ -63,11 +73,11 @@ impl Pen {
     }
 
     /// A chapter; without its heading when nothing is written in it.
-    pub fn chapter(&mut self, chapter: &Chapter, write: impl FnOnce(&mut Pen)) {
-        let title = self.word(chapter.title);
+    pub fn chapter(&mut self, (title, count): (Word, Count), write: impl FnOnce(&mut Pen)) {
+        let title = self.word(title);
         let before = (self.chapters, self.appendices);
         self.sections = 0;
-        let heading = match chapter.count {
+        let heading = match count {
             Count::None => title.to_owned(),
             Count::Number => {
                 self.chapters += 1;
@@ -79,7 +89,7 @@ impl Pen {
                 format!("{} {}. {title}", self.word(Word::Appendix), self.language.pick(en, ru))
             }
         };
-        self.number = if chapter.count == Count::Number { self.chapters.to_string() } else { String::new() };
+        self.number = if count == Count::Number { self.chapters.to_string() } else { String::new() };
         let empty = !self.under(1, heading, write);
         if empty {
             (self.chapters, self.appendices) = before;

@@ -1,6 +1,6 @@
 //! One line of the calculation: name = formula = the same with its numbers = value with its unit.
 
-use super::Work;
+use super::work::Work;
 use mechanics::model::Class;
 use report::document::Formula;
 use report::formula::{Bracket, Layout, Printer, Relation, Sign, value};

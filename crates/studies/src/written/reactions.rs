@@ -1,9 +1,9 @@
 //! Chapter 7: reactions and internal forces, their extremes with the instants, both sides of every switch.
 
-use super::Work;
 use super::pen::Pen;
-use super::statement::capital;
+use super::pen::capital;
 use super::wording::Word;
+use super::work::Work;
 use crate::results::Results;
 use report::table::Column;
 use report::{Cell, Table};

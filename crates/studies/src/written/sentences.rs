@@ -1,6 +1,7 @@
 //! What studies tell, as sentences of a calculation: names of the file give way to their symbols, a paragraph begins with a capital and ends with a full stop.
 
-use super::Work;
+use super::work::Work;
+use crate::results::{Extent, Results, View};
 use report::document::{Inline, Rich};
 use report::{Block, Cell};
 use words::Language;
@@ -145,7 +146,7 @@ fn sentence(mut rich: Rich, language: Language) -> Rich {
         let letter = |c: char| c.is_lowercase() && c.is_alphabetic() && !is_greek(c);
         let word = a.is_some_and(letter) && b.is_none_or(|b| letter(b) || b == ' ' && a.is_some_and(|a| !a.is_ascii()));
         if word {
-            *first = super::statement::capital(first);
+            *first = super::pen::capital(first);
         }
     }
     if !text.ends_with(['.', ':', ';', '!', '?', '…', ',']) {
@@ -156,6 +157,12 @@ fn sentence(mut rich: Rich, language: Language) -> Rich {
 
 fn is_greek(c: char) -> bool {
     ('α'..='ω').contains(&c)
+}
+
+/// What a study tells below its heading, in sentences.
+pub(super) fn below(work: &Work, results: &Results) -> Vec<Block> {
+    let view = View { equations: work.equations, extent: Extent::Page, language: work.language };
+    Symbols::of(work).finished(results.below(&view))
 }
 
 #[cfg(test)]

@@ -1,10 +1,8 @@
 //! Signs that all motions of a calculation keep: the length √((4 − s)²) is written 4 − s where 4 − s stays positive.
 
-use super::Work;
-use super::pen::{Pen, inline, words};
 use crate::calculation::Calculation;
 use crate::results::Results;
-use report::formula::{Layout, Relation, Sign};
+use report::formula::Sign;
 use symbolic::{Equations, Expr, Graph, Node, SymbolId};
 
 /// Rows of a motion that are looked at.
@@ -33,7 +31,9 @@ fn sized(equations: &Equations) -> Vec<Expr> {
     for e in graph.reachable(&roots) {
         let Node::Product { factors, .. } = graph.node(e) else { continue };
         for (base, exponent) in factors.iter().filter(|(_, exponent)| !exponent.is_integer()) {
-            found.extend(squares(graph, *base, exponent.digits().1 == "2"));
+            if exponent.digits().1 == "2" {
+                found.extend(squares(graph, *base));
+            }
         }
     }
     found.sort();
@@ -42,10 +42,10 @@ fn sized(equations: &Equations) -> Vec<Expr> {
 }
 
 /// x of x².
-fn squares(graph: &Graph, base: Expr, under_root: bool) -> Vec<Expr> {
+fn squares(graph: &Graph, base: Expr) -> Vec<Expr> {
     let Node::Product { factors, .. } = graph.node(base) else { return Vec::new() };
     let even = |e: &symbolic::Rational| e.to_i64().is_some_and(|n| n % 2 == 0);
-    if under_root && factors.iter().all(|(_, e)| even(e)) { factors.iter().map(|(b, _)| *b).collect() } else { Vec::new() }
+    if factors.iter().all(|(_, e)| even(e)) { factors.iter().map(|(b, _)| *b).collect() } else { Vec::new() }
 }
 
 /// The sign over all rows of all motions.
@@ -81,24 +81,4 @@ fn number(equations: &Equations, motion: &Results, symbol: SymbolId, row: usize)
     let info = equations.graph.symbol_info(symbol);
     let name = format!("{}{}", info.name, "'".repeat(usize::from(info.primes)));
     motion.data.column(&name).and_then(|column| column.values.get(row)).copied().unwrap_or(f64::NAN)
-}
-
-impl Work<'_> {
-    /// "During all motions 4 − s > 0."
-    pub(super) fn told_signs(&self, pen: &mut Pen) {
-        if self.signs.is_empty() {
-            return;
-        }
-        let mut pieces = vec![words(self.language.pick("During all motions considered ", "Во всех рассмотренных движениях "))];
-        for (i, (e, sign)) in self.signs.iter().enumerate() {
-            let zero = Layout::Number { mantissa: "0".into(), exponent: None };
-            let mut graph = self.equations.graph.clone();
-            let positive = if *sign == Sign::Plus { *e } else { graph.neg(*e) };
-            let left = self.printer.layout(&graph, positive);
-            pieces.push(words(if i == 0 { "" } else { ", " }));
-            pieces.push(inline(Layout::Related(Box::new(left), Relation::Greater, Box::new(zero))));
-        }
-        pieces.push(words(self.language.pick("; the lengths are written so.", "; длины записаны с учётом этого.")));
-        pen.tell(pieces);
-    }
 }

@@ -1,10 +1,9 @@
 //! Chapter 1: what is given, what is wanted, what is assumed, the data.
 
-use super::Work;
-pub(super) use super::pen::capital;
-use super::pen::{Pen, inline, lowered, words};
+use super::pen::{Pen, capital, inline, lowered, words};
 use super::quantity;
 use super::wording::Word;
+use super::work::Work;
 use mechanics::asked::Asked;
 use mechanics::model::{Class, ConnectionKind, ParameterValue};
 use report::Block;

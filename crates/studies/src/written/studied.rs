@@ -1,9 +1,9 @@
 //! Chapters that are told by the studies themselves: sections, free and forced oscillations, motion, working regime; and the facts of frames.
 
-use super::Work;
+use super::pen::capital;
 use super::pen::{Pen, inline, words};
-use super::statement::capital;
 use super::wording::Word;
+use super::work::Work;
 use mechanics::structure::Structure;
 use report::document::Rich;
 use report::table::Column;
@@ -16,11 +16,11 @@ pub(super) fn told(work: &Work, chapter: Word, pen: &mut Pen) {
     if let [only] = work.results_of(chapter).collect::<Vec<_>>()[..]
         && work.text(&only.heading) == pen.word(chapter)
     {
-        return pen.take(work.below(only), pen.word(chapter));
+        return pen.take(super::sentences::below(work, only), pen.word(chapter));
     }
     for results in work.results_of(chapter) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(work.below(results), heading));
+        pen.section(heading, |pen| pen.take(super::sentences::below(work, results), heading));
     }
 }
 

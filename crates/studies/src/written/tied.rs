@@ -6,10 +6,10 @@
 //!
 //! The coefficients are written only where c/a is the square of the natural frequency that the study `modes` found from the equations with reactions.
 
-use super::Work;
-use super::linear::units;
+use super::coefficients::{form, free, only_load, units};
 use super::pen::{Coefficients, Pen, inline, words};
 use super::quantity::{line_at, with_unit};
+use super::work::Work;
 use crate::small::Small;
 use report::document::Formula;
 use report::formula::{Layout, Relation};
@@ -41,7 +41,7 @@ pub(super) fn write(work: &Work, small: &Small, pen: &mut Pen) -> Option<Coeffic
     }
     let title = work.language.pick("Linearisation about the equilibrium", "Линеаризация около положения равновесия");
     pen.section(title, |pen| told(work, (&reduced, &found, small.place.q[leading]), pen));
-    Some(Coefficients { a, b, c, p: super::linear::only_load(work, small.machine.linear(), &found.values) })
+    Some(Coefficients { a, b, c, p: only_load(work, small.machine.linear(), &found.values) })
 }
 
 /// Whether the study of natural frequencies found this square of the frequency.
@@ -88,7 +88,7 @@ fn told(work: &Work, (reduced, found, place): (&Reduced, &Linearised, f64), pen:
             ". Near it the equation of the machine is kept to the first order in deviations and rates: ",
             ". Вблизи него в уравнении движения машины сохраняем слагаемые первого порядка малости: ",
         )),
-        inline(super::linear::form(work, coordinate, found.numbers)),
+        inline(form(work, coordinate, found.numbers)),
         words(work.language.pick(" with the coefficients", " с коэффициентами")),
     ]);
     let letter = |name: &str| Layout::Symbol(work.printer.named(name));
@@ -104,7 +104,7 @@ fn told(work: &Work, (reduced, found, place): (&Reduced, &Linearised, f64), pen:
         if found.graph.is_zero(entry) {
             continue;
         }
-        let name = super::linear::free(work, name, found.numbers[k]);
+        let name = free(work, name, found.numbers[k]);
         // c = c says nothing
         let own = work.printer.layout(&found.graph, entry) == letter(&name);
         let name = Layout::Related(Box::new(letter(&name)), Relation::Equal, Box::new(meant));

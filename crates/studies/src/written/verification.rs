@@ -1,9 +1,9 @@
 //! Chapter 9: every check with what was found, what is expected, the limit and the verdict; published results beside ours.
 
-use super::Work;
 use super::pen::Pen;
-use super::statement::capital;
+use super::pen::capital;
 use super::wording::Word;
+use super::work::Work;
 use analysis::dataset::Audit;
 use report::table::{Column, Verdict};
 use report::{Cell, Table};
@@ -15,7 +15,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     }
     for results in work.results_of(Word::Verification) {
         let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(work.below(results), heading));
+        pen.section(heading, |pen| pen.take(super::sentences::below(work, results), heading));
     }
 }
 
