@@ -36,9 +36,7 @@ use crate::system::Layout;
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 use conditions::Conditions;
 use flows::Flows;
-use meaning::{
-    Refusal, impulse, is_tie, kind, layout, outputs, placements, reads_accelerations, refused, returned, rubbing, states, translated,
-};
+use meaning::{Refusal, impulse, is_tie, kind, layout, outputs, placements, reads_accelerations, refused, rubbing, states};
 use solved::Solved;
 
 /// Within which the instant of an event is known, relative to it.
@@ -127,7 +125,7 @@ struct Lowered {
 /// Modes as the program has them.
 #[derive(Clone, Debug, Default)]
 struct Switches {
-    modes: Vec<program::Mode>,
+    modes: Vec<Mode>,
     /// Guards that decide something in these modes; others have no meaning.
     active: Vec<bool>,
     known: bool,
@@ -135,10 +133,10 @@ struct Switches {
 
 impl Switches {
     fn set(&mut self, modes: &[Mode], bound: &Bound) {
-        let same = self.known && self.modes.iter().zip(modes).all(|(a, b)| *a == translated(*b));
+        let same = self.known && self.modes == modes;
         if !same {
             self.modes.clear();
-            self.modes.extend(modes.iter().map(|m| translated(*m)));
+            self.modes.extend(modes);
             self.active = bound.active(&self.modes);
             self.known = true;
         }
@@ -495,7 +493,7 @@ impl System for Machine {
 
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let modes = self.bound.modes(t, x).ok()?;
-        Some(modes.into_iter().map(returned).collect())
+        Some(modes)
     }
 
     fn sides(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {

@@ -4,6 +4,7 @@
 //! motion x(t) is analytic, and [`System::expand`] returns its Taylor coefficients, together with those of every guard: the formulas whose
 //! sign decides the modes.
 
+pub use program::Mode;
 use std::sync::Arc;
 
 use program::Behind;
@@ -12,38 +13,6 @@ pub use words::Quantity;
 use words::Text;
 
 use crate::Fault;
-
-/// The side of its switching surface on which a guard is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Mode {
-    /// guard < 0.
-    Negative,
-    /// The guard vanishes identically along the motion.
-    Zero,
-    /// guard > 0.
-    Positive,
-}
-
-impl Mode {
-    /// Side of a number.
-    pub fn of(value: f64) -> Mode {
-        if value > 0.0 {
-            Mode::Positive
-        } else if value < 0.0 {
-            Mode::Negative
-        } else {
-            Mode::Zero
-        }
-    }
-    /// -1, 0, 1.
-    pub fn sign(self) -> f64 {
-        match self {
-            Mode::Negative => -1.0,
-            Mode::Zero => 0.0,
-            Mode::Positive => 1.0,
-        }
-    }
-}
 
 /// A formula whose sign switches the equations.
 #[derive(Clone, Debug, PartialEq, Default)]

@@ -23,6 +23,14 @@ impl Mode {
             Mode::Positive
         }
     }
+    /// -1, 0, 1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Mode::Negative => -1.0,
+            Mode::Zero => 0.0,
+            Mode::Positive => 1.0,
+        }
+    }
     /// Position among the sides of a choice.
     pub fn side(self) -> usize {
         self as usize

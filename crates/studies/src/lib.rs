@@ -10,7 +10,7 @@
 
 // a study fails once: what it says may be large
 #![allow(clippy::result_large_err)]
-#![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod answers;
 pub mod calculation;

@@ -520,7 +520,7 @@ fn least(regime: &Regime) -> Option<Text> {
 
 /// A multiplier 1 besides the shift along the motion: neighbouring motions close as well, and nothing singles this one out.
 fn one_of_a_family(regime: &Regime) -> Option<Text> {
-    let is_one = |m: &&Multiplier| !m.trivial && (m.re - 1.0).hypot(m.im) <= m.error.max(FAMILY);
+    let is_one = |m: &&Multiplier| !m.trivial && algebra::elementary::hypot(m.re - 1.0, m.im) <= m.error.max(FAMILY);
     regime.multipliers.iter().find(is_one).map(|_| {
         Text::new(
             "A multiplier 1 besides the shift: the regime is one of a family, as the motions of a machine without damping are. The search gives the member that it \
@@ -591,6 +591,6 @@ fn multiplier_words(m: &Multiplier) -> Text {
 /// A number by its common logarithm, however small: 3.2·10⁻¹²³⁵.
 fn power_of_ten(log: f64) -> String {
     let whole = log.floor();
-    let mantissa = report::number::short(10_f64.powf(log - whole), 3, words::Language::En);
+    let mantissa = report::number::short(algebra::elementary::pow(10.0, log - whole), 3, words::Language::En);
     format!("{mantissa}·10{}", report::number::superscript(&format!("{whole:.0}")))
 }

@@ -84,7 +84,7 @@ pub fn table(section: &Section, language: Language) -> Table {
     let mut table = Table::new(heads.map(|w| Column::new(language.word(w))).into());
     let scale = scale(&section.properties);
     for (_, symbol, power, value, en, ru) in rows(&section.properties) {
-        let shown = if power == 0 { value.to_degrees() } else { value / scale.size.powi(power) };
+        let shown = if power == 0 { value.to_degrees() } else { value / algebra::elementary::powi(scale.size, power) };
         table.row(vec![
             Cell::symbol(symbol),
             Cell::number(shown, DIGITS, language),
@@ -120,7 +120,7 @@ pub fn figure(section: &Section, language: Language) -> Figure {
         series.push(outlines(true, "A_0", Text::new("taken out", "вычтено")));
     }
     let length = 0.6 * (p.extents[1] - p.extents[0]).max(p.extents[3] - p.extents[2]);
-    let ([x, y], (s, c)) = (p.centroid, p.angle.sin_cos());
+    let ([x, y], (s, c)) = (p.centroid, algebra::elementary::sin_cos(p.angle));
     for (name, [a, b]) in [("I_1", [c, s]), ("I_2", [-s, c])] {
         let line = |at: f64, along: f64| vec![at - length * along, at + length * along];
         let label = language.text(&Text::new("principal axis", "главная ось")).into();

@@ -58,7 +58,7 @@ impl Machine {
         let mut side = |k: usize| {
             let (t, x) = &beside.sides[k][0];
             let values = self.bound.modes(*t, x).ok()?;
-            let mode = |i: usize| if self.guards[i].kind == GuardKind::Switch { super::returned(values[i]) } else { modes[k][i] };
+            let mode = |i: usize| if self.guards[i].kind == GuardKind::Switch { values[i] } else { modes[k][i] };
             Some((0..self.guards.len()).map(mode).collect())
         };
         Some([side(0)?, side(1)?])

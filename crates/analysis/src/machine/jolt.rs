@@ -94,7 +94,7 @@ impl Machine {
         if differ.is_empty() {
             return t;
         }
-        let agrees = |side: &[program::Mode]| differ.iter().all(|&i| super::returned(side[i]) == modes[i]);
+        let agrees = |side: &[Mode]| differ.iter().all(|&i| side[i] == modes[i]);
         match (agrees(before), agrees(after)) {
             (true, false) => sides[0].0,
             (false, true) => sides[1].0,

@@ -21,7 +21,7 @@ pub(super) fn kind(equations: &Equations, program: &Program, guard: usize) -> Gu
         }
         Kind::Share { of, .. } => GuardKind::Share { of },
         Kind::Side { of, .. } => GuardKind::Side { of },
-        Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit: returned(exit) },
+        Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit },
         Kind::Gap { force, .. } => GuardKind::Contact { force },
         Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
         _ => GuardKind::Switch,
@@ -65,14 +65,6 @@ pub(super) fn rubbing(equations: &Equations, program: &Program) -> Vec<Option<us
 pub(super) fn is_tie(equations: &Equations, kind: &program::GuardKind) -> bool {
     let program::GuardKind::Gap { reaction, .. } = kind else { return false };
     matches!(equations.reactions[*reaction].law, Law::Contact { tie: true, .. })
-}
-
-pub(super) fn returned(mode: program::Mode) -> Mode {
-    match mode {
-        program::Mode::Negative => Mode::Negative,
-        program::Mode::Zero => Mode::Zero,
-        program::Mode::Positive => Mode::Positive,
-    }
 }
 
 /// The released bodies without what acts on them.
@@ -141,14 +133,6 @@ pub(super) fn refused(equations: &Equations, program: &Program, undetermined: &U
 
 pub(super) fn reads_accelerations(tape: &Tape) -> bool {
     tape.body.iter().any(|i| matches!(i.operation, Operation::Acceleration(_)))
-}
-
-pub(super) fn translated(mode: Mode) -> program::Mode {
-    match mode {
-        Mode::Negative => program::Mode::Negative,
-        Mode::Zero => program::Mode::Zero,
-        Mode::Positive => program::Mode::Positive,
-    }
 }
 
 /// Names as the program has them; units and labels from the equations.

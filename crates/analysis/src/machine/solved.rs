@@ -15,7 +15,7 @@ pub(super) struct Solved {
 pub(super) struct Solution {
     pub(super) t: f64,
     pub(super) x: Vec<f64>,
-    pub(super) modes: Vec<program::Mode>,
+    pub(super) modes: Vec<crate::Mode>,
     pub(super) inputs: Vec<f64>,
 }
 

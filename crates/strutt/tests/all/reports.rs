@@ -187,22 +187,12 @@ fn formats_without_pages_are_refused_with_those_that_have_them() {
 
 /// Names of elements and connections in a file: `spiral` of `[springs.spiral]`.
 fn keys(text: &str) -> Vec<String> {
-    const TABLES: [&str; 12] = [
-        "springs",
-        "dampers",
-        "forces",
-        "torques",
-        "dissipations",
-        "potentials",
-        "frictions",
-        "stops",
-        "motions",
-        "motors",
-        "racks",
-        "ropes",
-    ];
+    // every table of elements, connections and loads; bodies, points and coordinates have symbols
+    let elements = mechanics::elements::TABLE.iter().map(|row| row.keys.name);
+    let connections = mechanics::connections::TABLE.iter().map(|row| row.keys.name);
+    let tables: Vec<&str> = elements.chain(connections).chain(["forces", "torques"]).collect();
     let named = text.lines().filter_map(|line| line.strip_prefix('[')?.split(']').next()?.split_once('.'));
-    named.filter(|(table, _)| TABLES.contains(table)).map(|(_, name)| name.to_owned()).collect()
+    named.filter(|(table, _)| tables.contains(table)).map(|(_, name)| name.to_owned()).collect()
 }
 
 #[test]

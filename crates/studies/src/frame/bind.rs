@@ -210,7 +210,7 @@ fn rod_of<S: structures::Scalar>(
 
 fn axis(numbers: &mut Numbers, angle: Expr) -> ([f64; 2], Option<[Rational; 2]>) {
     let value = numbers.value(angle);
-    let (sin, cos) = value.sin_cos();
+    let (sin, cos) = algebra::elementary::sin_cos(value);
     let exact = numbers.exact(angle).filter(Rational::is_zero).map(|_| [Rational::ONE, Rational::ZERO]);
     (if exact.is_some() { [1.0, 0.0] } else { [cos, sin] }, exact)
 }

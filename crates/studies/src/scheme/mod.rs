@@ -12,6 +12,8 @@
 //! | a motion: frames along it, tracks, which studies have one | `course.rs`, `moving.rs`, `played.rs` |
 //! | which symbols each table of the file has | `vocabulary.rs` |
 
+#![allow(clippy::disallowed_methods, reason = "places on paper, rounded to hundredths of a pixel")]
+
 mod bodies;
 mod course;
 mod ends;

@@ -75,7 +75,7 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     let options = Equilibrium { guesses: guesses.clone(), ..Equilibrium::default() };
     let mut found = analysis::rest::places::places(equations, &values, &start, &options)?.list;
     if !guess.is_empty() {
-        let far = |q: &[f64]| q.iter().zip(&guesses[0]).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        let far = |q: &[f64]| q.iter().zip(&guesses[0]).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
         found.sort_by(|a, b| far(&a.q).total_cmp(&far(&b.q)));
     }
     let mut first = None;
@@ -236,7 +236,8 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
         let Some(q) = q else { return };
         let matrices = linear.at(&Place::rest(&q));
         let found = matrices.clone().and_then(|m| natural::modes(&m, linear.coordinates(), Normalisation::Largest));
-        let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(0.0_f64, |g, m| g.max(m.root.0.hypot(m.root.1))));
+        let fastest =
+            found.as_ref().map_or(0.0, |f| f.modes.iter().fold(0.0_f64, |g, m| g.max(algebra::elementary::hypot(m.root.0, m.root.1))));
         let grows = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
         let verdict = matrices.as_ref().map_or(None, |m| analysis::studies::rest::stability::verdict(m, grows, fastest));
         verdicts.push(verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable))));

@@ -518,7 +518,7 @@ fn grid(study: &Study, found: &Modes, own: Option<f64>) -> Result<Vec<f64>, Faul
     let place = |k: usize| match () {
         () if k == 0 => from,
         () if k + 1 == points => to,
-        () if study.log => from * (to / from).powf(share(k)),
+        () if study.log => from * algebra::elementary::pow(to / from, share(k)),
         () => from + (to - from) * share(k),
     };
     let mut list: Vec<f64> = (0..points).map(place).collect();

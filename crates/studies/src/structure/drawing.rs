@@ -267,7 +267,7 @@ fn displaced(frame: &Frame<f64>, assembly: &Assembly<f64>, freedoms: &[f64], car
 
 /// The largest displacement.
 fn farthest(places: &[Displaced]) -> f64 {
-    places.iter().map(|p| p[1][0].hypot(p[1][1])).filter(|v| v.is_finite()).fold(0.0, f64::max)
+    places.iter().map(|p| algebra::elementary::hypot(p[1][0], p[1][1])).filter(|v| v.is_finite()).fold(0.0, f64::max)
 }
 
 /// The displaced rods, magnified to be seen, and how many times.
@@ -281,7 +281,7 @@ fn magnified(frame: &Frame<f64>, places: &[Displaced]) -> (Line, f64) {
 
 /// The factor with two digits, so that a length measured in the drawing can be divided by the number in its title.
 fn round_factor(x: f64) -> f64 {
-    let unit = 10_f64.powi(x.log10().floor() as i32 - 1);
+    let unit = algebra::elementary::powi(10.0, algebra::elementary::log10(x).floor() as i32 - 1);
     (x / unit).floor() * unit
 }
 

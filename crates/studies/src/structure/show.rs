@@ -309,7 +309,11 @@ fn sections(found: &StaticsFound, language: Language) -> Vec<Block> {
         let names: Vec<&str> = section.cut.iter().map(|i| r.frame.rods[*i].name.as_str()).collect();
         let about = match section.about {
             Some([x, y]) => {
-                let node = r.frame.nodes.iter().find(|n| (n.at[0] - x).hypot(n.at[1] - y) < 1e-9 * (1.0 + x.hypot(y)));
+                let node = r
+                    .frame
+                    .nodes
+                    .iter()
+                    .find(|n| algebra::elementary::hypot(n.at[0] - x, n.at[1] - y) < 1e-9 * (1.0 + algebra::elementary::hypot(x, y)));
                 let place = node.map_or_else(|| format!("({}, {})", number(x, language), number(y, language)), |n| n.name.clone());
                 language.pick(format!("moments about {place}"), format!("моменты относительно {place}"))
             }

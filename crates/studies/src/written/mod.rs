@@ -119,7 +119,7 @@ mod tests {
         for study in crate::TABLE {
             let (en, ru) = statement::asks(study.kind().name);
             assert!(!en.is_empty() && ru.chars().any(|c| ('а'..='я').contains(&c)), "{}", study.kind().name);
-            let chapter = chapter_of(study.kind().name);
+            let chapter = work::chapter_of(study.kind().name);
             assert!(CHAPTERS.iter().any(|c| c.title == chapter), "{}", study.kind().name);
         }
     }

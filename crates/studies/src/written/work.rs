@@ -14,7 +14,7 @@ use words::Language;
 const LINE: usize = 84;
 
 /// The chapter in which a study is told; no study is left out.
-fn chapter_of(kind: &str) -> Word {
+pub(super) fn chapter_of(kind: &str) -> Word {
     match kind {
         "kinematics" => Word::Kinematics,
         "equations" | "equilibrium" => Word::Dynamics,
