@@ -171,7 +171,8 @@ fn module(source: &Path, file: &Path) -> Module {
 
 /// Without comments and without the tests at the end.
 fn bare(text: &str) -> String {
-    let text = &text[..text.find("#[cfg(test)]").unwrap_or(text.len())];
+    // a single item for tests hides nothing behind it
+    let text = &text[..text.find("#[cfg(test)]\nmod tests {").unwrap_or(text.len())];
     text.lines().map(|line| line.find("//").map_or(line, |i| &line[..i])).collect::<Vec<_>>().join("\n")
 }
 
