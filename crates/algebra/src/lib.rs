@@ -5,7 +5,7 @@
 //!
 //! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`lu`], [`cholesky`], [`qr`],
 //! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - [`refine`], [`lanczos`], [`eigen`], [`certify`] (eigenproblems) -
-//! [`divided`], [`expm`] (exponentials) - [`gauss`], [`simplex`], [`random`].
+//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients) - [`gauss`], [`simplex`], [`random`].
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
@@ -21,9 +21,11 @@ pub mod elementary;
 pub mod expm;
 pub mod factor;
 pub mod gauss;
+pub mod hill;
 mod kernels;
 pub mod lanczos;
 pub mod lu;
+pub mod mathieu;
 mod modes;
 pub mod qr;
 pub mod random;

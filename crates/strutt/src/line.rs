@@ -266,7 +266,12 @@ impl Reading<'_> {
     }
 
     fn dimension(&self, like: Like) -> Dimension {
-        let of = |key: &str| if let Some(Value::Coordinate(named)) = self.named(key) { named.dimension } else { None };
+        let parameter = |name: &String| self.machine.model.parameters.iter().find(|p| p.name == *name);
+        let of = |key: &str| match self.named(key)? {
+            Value::Coordinate(named) => named.dimension,
+            Value::Word(name) => parse_unit(&parameter(name)?.unit).ok().map(|unit| unit.dimension),
+            _ => None,
+        };
         match like {
             Like::Is(dimension, _) => dimension,
             Like::Of(key) => of(key).unwrap_or(Dimension::NONE),

@@ -1,6 +1,6 @@
 //! Keys that several studies share.
 
-use mechanics::asked::{Choice, Key, Takes};
+use mechanics::asked::{Choice, Key, Limits, Takes, Way};
 
 /// End of a motion.
 pub const UNTIL: Key = Key::new("until", Takes::End, ("end of the motion", "конец движения"), "\"30 s\"")
@@ -87,6 +87,43 @@ pub const POINTS: Key = Key::new(
     "73",
 )
 .default("361", "361");
+
+/// What begins a period.
+pub const SECTION: Key = Key::new(
+    "section",
+    Takes::Section,
+    (
+        "where a period begins: a formula that passes zero from below, or the name of an angle, which makes `turns`; without it `period` decides",
+        "где начинается период: формула, проходящая нуль снизу, или имя угла, который совершает `turns`; без ключа решает `period`",
+    ),
+    "\"x'\"",
+)
+.option(
+    "What begins a period: an angle (one turn) or a formula that passes zero from below",
+    "Начало периода: угол (один оборот) или формула, переходящая через нуль снизу вверх",
+)
+.way(Way::Begins);
+
+/// Turns of the angle of the section.
+pub const TURNS: Key = Key::new(
+    "turns",
+    Takes::Number(Limits::NotZero),
+    ("turns of the angle in a period; negative when it falls", "обороты угла за период; отрицательны, если он убывает"),
+    "2",
+)
+.default("1", "1")
+.option("Turns of the angle in a period", "Число оборотов угла за период")
+.way(Way::Written);
+
+/// The period of what is forced.
+pub const PERIOD: Key = Key::new(
+    "period",
+    Takes::Duration,
+    ("the period of the loads, or a guess when there is a section", "период нагрузок, а при сечении — начальное приближение"),
+    "\"0.2568 s\"",
+)
+.option("Period of a forced motion", "Период вынужденного движения")
+.way(Way::Begins);
 
 /// Ordinary motion before a search.
 pub const SETTLE: Key = Key::new("settle", Takes::Wait, ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\"")

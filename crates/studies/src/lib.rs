@@ -44,6 +44,7 @@ pub mod sections;
 pub mod simulate;
 pub mod small;
 pub mod source;
+pub mod stability;
 pub mod statics;
 mod strands;
 pub mod structure;
@@ -76,6 +77,7 @@ pub static TABLE: &[&dyn Study] = &[
     &transient::ClosedForm,
     &equilibrium::Rest,
     &periodic::Regimes,
+    &stability::Disturbances,
     &poincare::SectionPoints,
     &kinematics::Linkage,
     &cycle::Turn,

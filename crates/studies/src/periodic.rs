@@ -1,6 +1,6 @@
 //! The study `periodic`: the exact periodic regime, and the parameter that gives a wanted period.
 
-use super::keys::{AT, EVERY, OUTPUTS, PLOT, SETTLE, TOLERANCE};
+use super::keys::{AT, EVERY, OUTPUTS, PERIOD, PLOT, SECTION, SETTLE, TOLERANCE, TURNS};
 use super::section::of_state;
 use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::machine::{Machine, explained};
@@ -10,7 +10,7 @@ use crate::watch::{Lap, Watch};
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
-use mechanics::asked::{Asked, Key, Kind, Limits, Objection, Takes, Value as Taken, Way};
+use mechanics::asked::{Asked, Key, Kind, Objection, Takes, Value as Taken};
 use mechanics::model::{Plot, Times};
 use serde_json::{Value, json};
 use std::cell::RefCell;
@@ -43,6 +43,8 @@ pub struct Periodic {
     pub outputs: Vec<String>,
     /// Plots wanted.
     pub plots: Vec<Plot>,
+    /// At how many instants of the period the coefficients of the variational equations are wanted.
+    pub coefficients: usize,
 }
 
 /// The surface at which a periodic motion begins and ends.
@@ -78,6 +80,7 @@ impl Periodic {
             times: asked.times(),
             outputs: asked.words("outputs").to_vec(),
             plots: asked.plots().to_vec(),
+            coefficients: 0,
         }
     }
 }
@@ -93,46 +96,13 @@ static KIND: Kind = Kind::new(
     ),
 )
 .keys(&[
-    Key::new(
-        "section",
-        Takes::Section,
-        (
-            "where a period begins: a formula that passes zero from below, or the name of an angle, which makes `turns`; without it `period` decides",
-            "где начинается период: формула, проходящая нуль снизу, или имя угла, который совершает `turns`; без ключа решает `period`",
-        ),
-        "\"x'\"",
-    )
-    .option(
-        "What begins a period: an angle (one turn) or a formula that passes zero from below",
-        "Начало периода: угол (один оборот) или формула, переходящая через нуль снизу вверх",
-    )
-    .way(Way::Begins),
-    Key::new(
-        "turns",
-        Takes::Number(Limits::NotZero),
-        ("turns of the angle in a period; negative when it falls", "обороты угла за период; отрицательны, если он убывает"),
-        "2",
-    )
-    .default("1", "1")
-    .option("Turns of the angle in a period", "Число оборотов угла за период")
-    .way(Way::Written),
-    Key::new(
-        "period",
-        Takes::Duration,
-        ("the period of the loads, or a guess when there is a section", "период нагрузок, а при сечении — начальное приближение"),
-        "\"0.2568 s\"",
-    )
-    .option("Period of a forced motion", "Период вынужденного движения")
-    .way(Way::Begins),
+    SECTION,
+    TURNS,
+    PERIOD,
     SETTLE,
-    Key::new(
-        "unknown",
-        Takes::Sought,
-        ("parameter found from the wanted period", "искомый параметр: по нужному периоду"),
-        "\"F0\"",
-    )
-    .option("Parameter that is changed until the period is the wanted one", "Параметр, который меняется, пока период не станет нужным")
-    .needs("wanted_period"),
+    Key::new("unknown", Takes::Sought, ("parameter found from the wanted period", "искомый параметр: по нужному периоду"), "\"F0\"")
+        .option("Parameter that is changed until the period is the wanted one", "Параметр, который меняется, пока период не станет нужным")
+        .needs("wanted_period"),
     Key::new(
         "wanted_period",
         Takes::Duration,
@@ -316,6 +286,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         outputs: Some(plotted),
         pushes: &pushes,
         listener: Listener { interrupt: watch.interrupt, told: Some(&told) },
+        coefficients: study.coefficients,
         ..Options::default()
     };
     let mut outcome = analysis::studies::periodic::periodic(&mut machine.system, start, &options);
@@ -487,7 +458,7 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     results.own.insert("gain".into(), by_name(&regime.gain));
 }
 
-fn json_of(m: &Multiplier) -> Value {
+pub(super) fn json_of(m: &Multiplier) -> Value {
     let mut value = json!({"re": m.re, "im": m.im, "abs": m.abs(), "trivial": m.trivial, "error": m.error});
     if let (Some(log), Some(fields)) = (m.log_abs, value.as_object_mut()) {
         fields.insert("ln_abs".into(), json!(log));
@@ -574,7 +545,7 @@ fn verdict(regime: &Regime) -> Text {
 }
 
 /// What the magnitude in the table leaves out: sign, argument, error, or why it is 1.
-fn multiplier_words(m: &Multiplier) -> Text {
+pub(super) fn multiplier_words(m: &Multiplier) -> Text {
     let short = |x: f64, digits: usize| report::number::short(x, digits, words::Language::En);
     let same = |words: String| Text::new(words.clone(), words.replace('.', ","));
     match m.log_abs {

@@ -22,6 +22,7 @@ pub mod rest;
 pub mod rolling;
 pub mod shapes;
 pub mod simulate;
+pub mod stability;
 pub mod statics;
 pub mod structure_modes;
 pub mod structure_statics;

@@ -81,6 +81,7 @@ pub(super) fn asks(kind: &str) -> (&'static str, &'static str) {
             "составить баланс работ за цикл, найти приведённый момент инерции и коэффициент неравномерности хода",
         ),
         "periodic" => ("find the periodic regime and its stability", "найти периодический режим и исследовать его устойчивость"),
+        "stability" => ("find whether small disturbances grow", "исследовать устойчивость по отношению к малым возмущениям"),
         "sweep" => ("investigate the influence of parameters", "исследовать влияние параметров"),
         _ => ("", ""),
     }

@@ -12,6 +12,7 @@
 //! Liouville's formula (`variation.rs`).
 //! *Source*: A. H. Nayfeh, B. Balachandran, Applied Nonlinear Dynamics, 5.2, 7.4.
 
+mod coefficients;
 mod faults;
 mod found;
 mod fundamental;
@@ -62,6 +63,8 @@ pub struct Regime {
     pub forces: usize,
     /// The motion over one period.
     pub dataset: Dataset,
+    /// ∂f/∂x at the instants that are asked for, row by row, SI; none where connections tie the states, or the motion switches.
+    pub coefficients: Vec<Vec<f64>>,
 }
 
 /// A regime, or why there is none, with what was found so far.
@@ -124,6 +127,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         return Err(rest::at_rest());
     }
     let (parts, forces) = found.repeats(system)?;
+    let coefficients = coefficients::along(system, &found, options.coefficients)?;
     let gain = found.orbit.last.iter().zip(&found.orbit.first).map(|(b, a)| b - a).collect();
     let period = found.orbit.period;
     if let (Return::Period(given), false) = (&options.by, found.is_driven()) {
@@ -138,6 +142,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         parts,
         forces,
         dataset,
+        coefficients,
     })
 }
 

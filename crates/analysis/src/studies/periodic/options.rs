@@ -46,6 +46,8 @@ pub struct Periodic<'a> {
     pub listener: Listener<'a>,
     /// Seed of the audits.
     pub seed: u64,
+    /// At how many equally spaced instants of the period the coefficients of the variational equations are wanted.
+    pub coefficients: usize,
 }
 
 impl Default for Periodic<'_> {
@@ -62,6 +64,7 @@ impl Default for Periodic<'_> {
             pushes: &[],
             listener: Listener::default(),
             seed: 1,
+            coefficients: 0,
         }
     }
 }

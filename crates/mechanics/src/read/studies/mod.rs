@@ -7,7 +7,7 @@ mod plot;
 mod repeated;
 mod times;
 
-use crate::asked::{Asked, Choice, Key, Kind, Kinds, Like, Limits, Named, Objection, Takes, Value, Written};
+use crate::asked::{Asked, Choice, Key, Kind, Kinds, Like, Limits, Objection, Takes, Value, Written};
 use crate::formula::{Context, Kind as Sort};
 use crate::reader::names::names;
 use crate::reader::{Fields, Reader, short, string, wrong_type};
@@ -122,7 +122,7 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
         Takes::Tolerance => times::tolerance(reader, fields, name).map(Value::Number),
         Takes::Number(limits) => number(reader, fields, (name, limits), Some(&Dimension::NONE)).map(Value::Number),
         Takes::Quantity(like, limits) => {
-            let dimension = dimension_of(before, like);
+            let dimension = dimension_of(reader, before, like);
             number(reader, fields, (name, limits), dimension.as_ref()).map(Value::Number)
         }
         Takes::Count(code, least) => count(reader, fields, (name, code), least).map(Value::Number),
@@ -136,11 +136,7 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
         }
         Takes::Name => fields.name(reader, name).map(|(name, _)| Value::Word(name)),
         Takes::RangeOf(over) => {
-            let wanted = match before.get(over)? {
-                Value::Coordinate(named) => named.dimension,
-                Value::Word(parameter) => known(reader.scope.get(parameter).map(|e| e.dimension)),
-                _ => None,
-            };
+            let wanted = named(reader, before.get(over)?);
             frequencies::ascending(reader, raw, wanted.as_ref()).map(|ends| Value::Numbers(ends.to_vec()))
         }
         Takes::FrequencyRange => frequencies::band(reader, raw).map(|ends| Value::Numbers(ends.to_vec())),
@@ -162,12 +158,21 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
     }
 }
 
+/// The dimension of a coordinate or parameter that another key names.
+fn named(reader: &Reader<'_>, value: &Value) -> Option<Dimension> {
+    match value {
+        Value::Coordinate(named) => named.dimension,
+        Value::Word(parameter) => known(reader.scope.get(parameter).map(|e| e.dimension)),
+        _ => None,
+    }
+}
+
 fn known(kind: Option<Sort>) -> Option<Dimension> {
     if let Some(Sort::Known(dimension)) = kind { Some(dimension) } else { None }
 }
 
-fn dimension_of(before: &Asked, like: Like) -> Option<Dimension> {
-    let of = |key: &str| before.coordinate(key).and_then(|named: &Named| named.dimension);
+fn dimension_of(reader: &Reader<'_>, before: &Asked, like: Like) -> Option<Dimension> {
+    let of = |key: &str| named(reader, before.get(key)?);
     match like {
         Like::Is(dimension, _) => Some(dimension),
         Like::Of(key) => of(key),

@@ -1,0 +1,137 @@
+//! Where a quantity of one variable changes its sign: between samples of different signs, and beside extremes between samples of one sign.
+
+/// Halvings of an interval; each ends at neighbouring numbers.
+const HALVINGS: usize = 80;
+/// Steps of the search of an extreme, which shrink the interval by 0.62 each.
+const STEPS: usize = 60;
+/// An extreme must pass zero by this much, as a share of the larger of 1 and the samples about it: rounding of a trace.
+const PASSES: f64 = 1e-9;
+/// 2/(1 + √5).
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A change of sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Root {
+    /// Where.
+    pub(super) at: f64,
+    /// Whether the quantity is positive above it.
+    pub(super) rises: Side,
+}
+
+/// What becomes of a quantity at its root.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// It becomes positive.
+    Rises,
+    /// It becomes negative.
+    Falls,
+}
+
+/// The roots between samples (x, f(x)) in ascending order. `smooth` quantities are sought between samples of one sign too.
+///
+/// # Errors
+/// The quantity has no value.
+pub(super) fn roots<E>(samples: &[(f64, f64)], smooth: Smooth, mut f: impl FnMut(f64) -> Result<f64, E>) -> Result<Vec<Root>, E> {
+    let mut found = Vec::new();
+    for (i, pair) in samples.windows(2).enumerate() {
+        let ([a, b], sign) = ([pair[0], pair[1]], pair[0].1 > 0.0);
+        if sign != (b.1 > 0.0) {
+            found.push(root(a.0, b.0, sign, &mut f)?);
+            continue;
+        }
+        // an extreme towards zero within the two intervals beside sample i + 1 is looked for once, at the sample
+        let Some(next) = samples.get(i + 2).filter(|c| smooth == Smooth::Yes && (c.1 > 0.0) == sign) else { continue };
+        if b.1.abs() > a.1.abs() || b.1.abs() > next.1.abs() {
+            continue;
+        }
+        let towards = if sign { -1.0 } else { 1.0 };
+        let (x, value) = extreme((a.0, next.0), towards, &mut f)?;
+        let size = a.1.abs().max(next.1.abs()).max(1.0);
+        if towards * value > PASSES * size {
+            found.push(root(a.0, x, sign, &mut f)?);
+            found.push(root(x, next.0, !sign, &mut f)?);
+        }
+    }
+    found.sort_by(|a, b| a.at.total_cmp(&b.at));
+    Ok(found)
+}
+
+/// Whether the quantity is a smooth function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Smooth {
+    /// It is.
+    Yes,
+    /// Only its sign means something.
+    No,
+}
+
+fn root<E>(mut low: f64, mut high: f64, sign: bool, f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<Root, E> {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high || high - low <= 1e-14 * middle.abs() {
+            break;
+        }
+        if (f(middle)? > 0.0) == sign { low = middle } else { high = middle }
+    }
+    Ok(Root { at: 0.5 * (low + high), rises: if sign { Side::Falls } else { Side::Rises } })
+}
+
+/// Place and value of the largest `towards * f` between two places.
+fn extreme<E>((mut low, mut high): (f64, f64), towards: f64, f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<(f64, f64), E> {
+    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut x, mut y) = inner(low, high);
+    let (mut f_x, mut f_y) = (f(x)?, f(y)?);
+    for _ in 0..STEPS {
+        // a value beyond zero is all that is asked for
+        if towards * f_x > 0.0 || towards * f_y > 0.0 || high - low <= 1e-12 * high.abs() {
+            break;
+        }
+        if towards * f_x > towards * f_y {
+            (high, y, f_y) = (y, x, f_x);
+            x = inner(low, high).0;
+            f_x = f(x)?;
+        } else {
+            (low, x, f_x) = (x, y, f_y);
+            y = inner(low, high).1;
+            f_y = f(y)?;
+        }
+    }
+    Ok(if towards * f_x > towards * f_y { (x, f_x) } else { (y, f_y) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Some hundred roundings of numbers about 1.
+    const EXACT: f64 = 1e-13;
+    /// What roundings become in the steps of a period, or in the matrix of a collocation.
+    const STEPS: f64 = 1e-11;
+
+    fn found(f: impl Fn(f64) -> f64, count: usize, smooth: Smooth) -> Vec<Root> {
+        let samples: Vec<(f64, f64)> = (0..=count).map(|k| k as f64 / count as f64).map(|x| (x, f(x))).collect();
+        roots::<()>(&samples, smooth, |x| Ok(f(x))).unwrap()
+    }
+
+    #[test]
+    fn narrow_bumps_between_samples_are_found() {
+        // positive within 1e-3 of 0.337 only
+        let f = |x: f64| 1e-6 - (x - 0.337) * (x - 0.337);
+        let list = found(f, 10, Smooth::Yes);
+        assert_eq!(list.len(), 2);
+        assert!((list[0].at - 0.336).abs() < STEPS && list[0].rises == Side::Rises);
+        assert!((list[1].at - 0.338).abs() < STEPS && list[1].rises == Side::Falls);
+        assert!(found(f, 10, Smooth::No).is_empty());
+        assert!(found(|x| -(x - 0.337) * (x - 0.337), 10, Smooth::Yes).is_empty(), "touching is no change of sign");
+    }
+
+    #[test]
+    fn changes_between_samples_are_located_to_rounding() {
+        let list = found(|x| (20.0 * x).sin(), 40, Smooth::Yes);
+        let pi = std::f64::consts::PI;
+        // sin 0 is not positive: the first change is at the start
+        let inner: Vec<f64> = list.iter().map(|r| r.at).filter(|x| *x > 0.05).collect();
+        assert_eq!(inner.len(), 6);
+        assert!(inner.iter().enumerate().all(|(k, x)| (x - (k + 1) as f64 * pi / 20.0).abs() < EXACT));
+    }
+}
