@@ -17,6 +17,9 @@ const LONGEST: usize = 220;
 /// A harmonic that exceeds the first by this factor makes another tongue the main one.
 const PREVAILS: f64 = 1.5;
 
+/// A multiplier nearer to the unit circle than this does not tell dying disturbances from lasting ones.
+const DIES: f64 = 1e-9;
+
 /// What stands above the numbers.
 #[derive(Debug)]
 pub(super) struct Shown {
@@ -155,7 +158,7 @@ pub(super) struct Words<'a>(pub(super) &'a Point);
 
 impl Words<'_> {
     pub(super) fn verdict(&self) -> Text {
-        let damped = self.0.growth.is_some_and(|g| g < -1e-9 / self.0.period);
+        let damped = self.0.multipliers.iter().filter(|m| !m.trivial).all(|m| m.abs() < 1.0 - DIES);
         match self.0.verdict {
             Verdict::Stable if damped => Text::new("Stable: small disturbances die out.", "Устойчиво: малые возмущения затухают."),
             Verdict::Stable => Text::new(
