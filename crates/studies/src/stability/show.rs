@@ -132,9 +132,9 @@ fn verdicts(scalar: &Scalar, language: Language) -> Table {
             (Criterion::Classical, false) => language.pick("classical, e² − (1 − d)²", "классический, e² − (1 − d)²"),
             (Criterion::Classical, true) => language.pick("classical, e² − (1 − d)² − 4η²", "классический, e² − (1 − d)² − 4η²"),
             (Criterion::Mathieu, false) => language.pick("Mathieu, |tr M| − 2", "Матьё, |tr M| − 2"),
-            (Criterion::Mathieu, true) => language.pick("Mathieu, |tr M| − 2 ch πη", "Матьё, |tr M| − 2 ch πη"),
+            (Criterion::Mathieu, true) => language.pick("Mathieu, |tr M| − 2 cosh πη", "Матьё, |tr M| − 2 ch πη"),
             (Criterion::Hill, false) => language.pick("Hill, |tr M| − 2", "Хилл, |tr M| − 2"),
-            (Criterion::Hill, true) => language.pick("Hill, |tr M| − 2 ch πη", "Хилл, |tr M| − 2 ch πη"),
+            (Criterion::Hill, true) => language.pick("Hill, |tr M| − 2 cosh πη", "Хилл, |tr M| − 2 ch πη"),
         };
         let falls = by == Criterion::Classical && scalar.d() < 0.0;
         let name = if falls { language.pick("classical, −d − e²/2", "классический, −d − e²/2") } else { name };
