@@ -11,8 +11,10 @@ use studies::{Failure, Source, Watch, pipeline};
 use toml::de::{DeTable, DeValue};
 
 /// Functions and signs of formulas, indices of symbols.
-const FORMULAS: &[&str] =
-    &["sin", "cos", "tg", "arctg", "arcsin", "arccos", "exp", "sign", "dt", "dE", "dx", "Re", "Im", "im", "max", "min", "xy", "pi"];
+const FORMULAS: &[&str] = &[
+    "sin", "cos", "tg", "arctg", "arcsin", "arccos", "exp", "sign", "dt", "dE", "dx", "Re", "Im", "im", "max", "min", "xy", "pi", "tr",
+    "ch",
+];
 /// Formats, keys of the file and programs.
 const FORMATS: &[&str] = &["JSON", "CSV", "Excel", "strutt"];
 /// Keys whose value is a text or symbol of the user's own.
