@@ -155,6 +155,7 @@ fn one(
         }
         Ok(machine) => {
             let solved = solve::solve(machine, &entry.member.given, &mut Watch::default());
+            entry.sizes.clone_from(&solved.sizes);
             entry.truths = solved.truths.iter().map(|t| t.as_ref().ok().copied()).collect();
             entry.failure = why(machine, &solved, language);
             let given = sheet::given(machine, language);
@@ -374,7 +375,12 @@ pub fn graded((key, model): (&Key, &Model), handed: &Handed, watch: &mut Watch) 
                 ));
             } else {
                 let neighbours = neighbours(key, i);
-                let pupil = Pupil { member: &key.entries[i].member, truths: &key.entries[i].truths, neighbours: &neighbours };
+                let pupil = Pupil {
+                    member: &key.entries[i].member,
+                    truths: &key.entries[i].truths,
+                    sizes: &key.entries[i].sizes,
+                    neighbours: &neighbours,
+                };
                 row.1 = Some(grade(&mut class, &model.answers, &pupil, cells));
             }
         } else {

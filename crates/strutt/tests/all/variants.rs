@@ -254,3 +254,50 @@ fn a_key_of_another_model_and_a_changed_one_are_refused() {
     strutt().current_dir(&here).args(arguments).assert().failure().stderr(contains("C069"));
     assert!(!here.join("none").exists(), "nothing is written when the list does not fit");
 }
+
+const BEAM: &str = r#"
+gravity = false
+[parameters]
+F = "3 kN"
+l = "3 m"
+[nodes]
+A = { at = ["0", "0"] }
+C = { at = ["l/3", "0"] }
+B = { at = ["l", "0"] }
+[rods]
+AC = { between = ["A", "C"], EI = "1e4 N m^2", EA = "1e8 N" }
+CB = { between = ["C", "B"], EI = "1e4 N m^2", EA = "1e8 N" }
+[supports]
+A = { at = "A", directions = ["x", "y"] }
+B = { at = "B", directions = ["y"] }
+[forces.F]
+at = "C"
+value = ["0", "-F"]
+[[study]]
+kind = "statics"
+[variants]
+N = "1..4"
+F = "3 [kN]*N"
+[[answers]]
+id = "X"
+value = "reactions.A.x"
+unit = "N"
+[[answers]]
+id = "Y"
+value = "reactions.A.y"
+unit = "kN"
+"#;
+
+/// Y_A = 2F/3 = 2 kN in variant 1 and X_A = 0: one hundredth of 2 kN is 20 N.
+#[test]
+fn a_right_zero_is_graded_by_the_size_of_its_quantity() {
+    let here = folder("class-zero");
+    std::fs::write(here.join("m.toml"), BEAM).unwrap();
+    strutt().current_dir(&here).args(["variants", "make", "m.toml", "--out", "out"]).assert().code(0);
+    std::fs::write(here.join("a.csv"), "variant;X;Y\n1;0;2\n2;35;4\n3;-61;6\n4;1e-3;8\n").unwrap();
+    let found = grade(&here, "a.csv");
+    let verdicts: Vec<&str> = (0..4).map(|i| found["students"][i]["items"][0]["verdict"].as_str().unwrap()).collect();
+    assert_eq!(verdicts, ["right", "right", "wrong", "right"]);
+    let quiz = std::fs::read_to_string(here.join("out/questions.gift")).unwrap();
+    assert!(quiz.contains("{#0:20}"), "{quiz}");
+}

@@ -177,5 +177,8 @@ fn springs(r: &StructureStatics) -> Map<String, Value> {
 
 fn diagram(d: &[Station<f64>]) -> Value {
     let list = |f: fn(&Station<f64>) -> f64| d.iter().map(f).collect::<Vec<_>>();
-    json!({"s": list(|s| s.s), "N": list(|s| s.normal), "V": list(|s| s.shear), "M": list(|s| s.moment)})
+    // the value of greatest magnitude, with its sign
+    let most = |f: fn(&Station<f64>) -> f64| d.iter().map(f).fold(0.0, |most: f64, v| if v.abs() > most.abs() { v } else { most });
+    json!({"s": list(|s| s.s), "N": list(|s| s.normal), "V": list(|s| s.shear), "M": list(|s| s.moment),
+        "N_max": most(|s| s.normal), "V_max": most(|s| s.shear), "M_max": most(|s| s.moment)})
 }

@@ -68,7 +68,7 @@ pub struct Around<'a> {
 
 /// What a number that is not right looks like; all numbers are in the unit of the question.
 pub fn likeness(answer: &AnswerDecl, (truth, given): (f64, f64), around: &mut Around<'_>) -> Option<Likeness> {
-    if given == 0.0 || truth == 0.0 || within(given, truth, answer) {
+    if given == 0.0 || truth == 0.0 || within(given, (truth, 0.0), answer) {
         return None;
     }
     let is = |candidate: f64| (given - candidate).abs() <= CLOSE.min(share(answer, truth)) * candidate.abs();

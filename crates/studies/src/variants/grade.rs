@@ -27,7 +27,7 @@ pub enum Verdict {
     Follows,
     /// The right number in another unit, or a unit of another dimension.
     Unit,
-    /// Off by this share.
+    /// Off by this share; infinite where zero is right.
     Wrong(f64),
     /// No answer.
     Missing,
@@ -61,6 +61,7 @@ impl Verdict {
             Verdict::Rounded => "✓ ≈".into(),
             Verdict::Follows => "✓ →".into(),
             Verdict::Unit => language.pick("unit", "ед.").into(),
+            Verdict::Wrong(share) if share.is_infinite() => "✗ ≠ 0".into(),
             Verdict::Wrong(share) => format!("✗ {}", percent(*share, language)),
             Verdict::Missing => "–".into(),
             Verdict::Unreadable => "?".into(),
@@ -75,6 +76,7 @@ impl Verdict {
             Verdict::Rounded => Text::new("right, but coarsely rounded", "верно, но грубо округлено"),
             Verdict::Follows => Text::new("right with the own earlier value", "верно при собственном предыдущем значении"),
             Verdict::Unit => Text::new("the unit is wrong", "неверна единица"),
+            Verdict::Wrong(share) if share.is_infinite() => Text::new("wrong, it is zero", "неверно, должен быть ноль"),
             Verdict::Wrong(share) => Text::new(
                 format!("wrong by {}", percent(*share, Language::En)),
                 format!("неверно, отклонение {}", percent(*share, Language::Ru)),
@@ -107,21 +109,21 @@ fn percent(share: f64, language: Language) -> String {
     format!("{} %", report::number::short(100.0 * share, 2, language))
 }
 
-/// The verdict on a number by itself.
-pub fn verdict(answer: &AnswerDecl, truth: Option<f64>, written: &Written) -> Verdict {
+/// The verdict on a number by itself. `truth`: the right number and the size of its quantity.
+pub fn verdict(answer: &AnswerDecl, truth: Option<(f64, f64)>, written: &Written) -> Verdict {
     match (written, truth) {
         (Written::Missing, _) => Verdict::Missing,
         (Written::Unreadable, _) => Verdict::Unreadable,
         (_, None) => Verdict::Unknown,
         (Written::Foreign(_), _) => Verdict::Unit,
-        (Written::Number { value, .. }, Some(truth)) if within(*value, truth, answer) => Verdict::Right,
+        (Written::Number { value, .. }, Some(right)) if within(*value, right, answer) => Verdict::Right,
         // one digit alone says too little
-        (Written::Number { value, half }, Some(truth))
+        (Written::Number { value, half }, Some((truth, _)))
             if (value - truth).abs() <= (half * (1.0 + 1e-9)).min(COARSE * truth.abs()) && *value != 0.0 =>
         {
             Verdict::Rounded
         }
-        (Written::Number { value, .. }, Some(truth)) => {
+        (Written::Number { value, .. }, Some((truth, _))) => {
             Verdict::Wrong(if truth == 0.0 { f64::INFINITY } else { ((value - truth) / truth).abs() })
         }
     }
@@ -134,6 +136,8 @@ pub struct Pupil<'a> {
     pub member: &'a Member,
     /// Right numbers, in the unit of the question.
     pub truths: &'a [Option<f64>],
+    /// Sizes of the quantities that are asked for, in the same units; zero where they are not known.
+    pub sizes: &'a [f64],
     /// Right numbers of the neighbouring variants, by name.
     pub neighbours: &'a [(String, Vec<Option<f64>>)],
 }
@@ -146,7 +150,8 @@ pub fn grade(class: &mut Class, answers: &[AnswerDecl], pupil: &Pupil<'_>, cells
     for (i, answer) in answers.iter().enumerate() {
         let (given, written) = cells.get(i).cloned().unwrap_or((String::new(), Written::Missing));
         let truth = pupil.truths.get(i).copied().flatten();
-        let mut item = Graded { given, verdict: verdict(answer, truth, &written), likeness: None };
+        let size = pupil.sizes.get(i).copied().unwrap_or(0.0);
+        let mut item = Graded { given, verdict: verdict(answer, truth.map(|t| (t, size)), &written), likeness: None };
         if let (Verdict::Wrong(_), Written::Number { value, .. }, Some(truth)) = (&item.verdict, &written, truth) {
             if follows(class, (answers, i), pupil, (&own, &written)) {
                 item.verdict = Verdict::Follows;
@@ -178,7 +183,7 @@ fn follows(
         return false;
     }
     let truth = carried(class, answers, pupil.member, own).and_then(|truths| truths.get(i).copied().flatten());
-    truth.is_some() && verdict(&answers[i], truth, written).counts()
+    truth.is_some() && verdict(&answers[i], truth.map(|t| (t, 0.0)), written).counts()
 }
 
 /// The numbers that follow from a student's own values.

@@ -34,21 +34,27 @@ pub fn near_resonance(machine: &mut Machine, solved: &Solved) -> Option<[f64; 2]
     (distance(nearest) < NEAR).then_some([load, nearest])
 }
 
-/// Whether a number is the right one within the tolerance. `b` is right.
-pub fn within(a: f64, b: f64, answer: &AnswerDecl) -> bool {
-    let allowed = match answer.tolerance {
-        Tolerance::Relative(share) => share * b.abs(),
+/// Half the width of what counts as right about `(right number, size of its quantity)`. A share of zero is nothing: where zero is right, the share is one
+/// of the size that the quantity has elsewhere.
+pub fn allowed(answer: &AnswerDecl, (truth, size): (f64, f64)) -> f64 {
+    match answer.tolerance {
+        Tolerance::Relative(share) if truth == 0.0 => share * size,
+        Tolerance::Relative(share) => share * truth.abs(),
         Tolerance::Absolute(size) => size / answer.unit.factor,
-    };
+    }
+}
+
+/// Whether a number is the right one within the tolerance.
+pub fn within(a: f64, right: (f64, f64), answer: &AnswerDecl) -> bool {
     // rounding of the sum may not decide
-    (a - b).abs() <= allowed * (1.0 + 1e-9)
+    (a - right.0).abs() <= allowed(answer, right) * (1.0 + 1e-9)
 }
 
 /// Groups of variants that cannot be told apart by their answers, by place.
 pub fn twins(truths: &[Vec<Option<f64>>], answers: &[AnswerDecl]) -> Vec<Vec<usize>> {
     let alike = |i: usize, j: usize| {
         let pair = |(k, answer): (usize, &AnswerDecl)| match (truths[i].get(k), truths[j].get(k)) {
-            (Some(Some(a)), Some(Some(b))) => within(*a, *b, answer) && within(*b, *a, answer),
+            (Some(Some(a)), Some(Some(b))) => within(*a, (*b, 0.0), answer) && within(*b, (*a, 0.0), answer),
             _ => false,
         };
         !answers.is_empty() && answers.iter().enumerate().all(pair)
@@ -97,8 +103,17 @@ mod tests {
 
     #[test]
     fn the_edge_of_a_tolerance_is_inside() {
-        assert!(within(1.01, 1.0, &item(Tolerance::Relative(0.01))));
-        assert!(!within(1.0101, 1.0, &item(Tolerance::Relative(0.01))));
-        assert!(within(0.0, 0.0, &item(Tolerance::Relative(0.01))));
+        assert!(within(1.01, (1.0, 0.0), &item(Tolerance::Relative(0.01))));
+        assert!(!within(1.0101, (1.0, 0.0), &item(Tolerance::Relative(0.01))));
+        assert!(within(0.0, (0.0, 0.0), &item(Tolerance::Relative(0.01))));
+    }
+
+    #[test]
+    fn a_share_of_zero_is_one_of_the_size_of_its_quantity() {
+        let item = item(Tolerance::Relative(0.01));
+        assert!(within(0.02, (0.0, 2.0), &item) && !within(0.021, (0.0, 2.0), &item));
+        assert!(within(-0.02, (0.0, 2.0), &item) && !within(1e-12, (0.0, 0.0), &item));
+        // other numbers keep their own share
+        assert!(!within(1.5, (1.0, 100.0), &item));
     }
 }

@@ -32,6 +32,8 @@ pub struct Entry {
     pub member: Member,
     /// Right numbers, in the unit of the question.
     pub truths: Vec<Option<f64>>,
+    /// Sizes of the quantities that are asked for, in the same units: what a right answer of zero is measured by.
+    pub sizes: Vec<f64>,
     /// Why there are none.
     pub failure: String,
 }
@@ -62,7 +64,7 @@ impl Key {
         let entry = |e: &Entry| {
             let columns: Vec<Value> = e.member.given.helpers.iter().map(|(symbol, value)| json!([helper(*symbol), value])).collect();
             json!({"student": e.student, "variant": e.member.name, "hash": self.source.hash(&e.member.overrides), "values": e.member.overrides,
-                "group": e.member.given.group, "number": e.member.given.number, "columns": columns, "answers": e.truths, "failure": e.failure})
+                "group": e.member.given.group, "number": e.member.given.number, "columns": columns, "answers": e.truths, "sizes": e.sizes, "failure": e.failure})
         };
         let answer = |a: &mechanics::model::AnswerDecl| json!({"id": a.id, "en": a.ask.en, "ru": a.ask.ru, "unit": a.unit.label});
         json!({"strutt_key": FORM, "version": self.version, "model_hash": self.hash(), "title": {"en": model.title.en, "ru": model.title.ru},
@@ -135,6 +137,8 @@ fn entry(value: &Value, model: &Model) -> Option<Entry> {
         student: text("student")?,
         member: Member { name: text("variant")?, overrides: overrides?, given },
         truths: value.get("answers")?.as_array()?.iter().map(Value::as_f64).collect(),
+        // keys of earlier versions have none
+        sizes: value.get("sizes").and_then(Value::as_array).into_iter().flatten().map(|v| v.as_f64().unwrap_or(0.0)).collect(),
         failure: text("failure")?,
     })
 }

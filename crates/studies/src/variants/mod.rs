@@ -9,6 +9,7 @@ pub mod guards;
 pub mod key;
 pub mod overview;
 pub mod quiz;
+pub mod resting;
 pub mod sheet;
 pub mod solve;
 

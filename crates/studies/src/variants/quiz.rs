@@ -1,18 +1,11 @@
 //! The questions of a class for learning systems: Moodle XML (numerical questions with units) and GIFT.
 
+use super::guards::allowed;
 use super::key::{Entry, Key};
 use mechanics::Model;
-use mechanics::model::{AnswerDecl, Tolerance};
+use mechanics::model::AnswerDecl;
 use std::fmt::Write;
 use words::Language;
-
-/// Half the width of what counts as right, in the unit of the question.
-fn allowed(answer: &AnswerDecl, truth: f64) -> f64 {
-    match answer.tolerance {
-        Tolerance::Relative(share) => share * truth.abs(),
-        Tolerance::Absolute(size) => size / answer.unit.factor,
-    }
-}
 
 /// What a question says: what is given to the variant, then what is asked.
 fn question(entry: &Entry, (answer, given): (&AnswerDecl, &str), language: Language) -> String {
@@ -24,12 +17,13 @@ fn question(entry: &Entry, (answer, given): (&AnswerDecl, &str), language: Langu
     format!("{variant} {}.{given} {}{unit}?", entry.member.name, language.text(&answer.ask))
 }
 
-/// An item that has a right number, with what is given.
-type Item<'k> = (&'k Entry, (&'k AnswerDecl, &'k str), f64);
+/// An item that has a right number (with the size of its quantity), with what is given.
+type Item<'k> = (&'k Entry, (&'k AnswerDecl, &'k str), (f64, f64));
 
 fn items<'k>((key, given): (&'k Key, &'k [String]), model: &'k Model) -> impl Iterator<Item = Item<'k>> {
     let of = |(e, given): (&'k Entry, &'k String)| {
-        model.answers.iter().zip(&e.truths).filter_map(move |(a, t)| Some((e, (a, given.as_str()), (*t)?)))
+        let right = move |i: usize| Some((e.truths.get(i).copied().flatten()?, e.sizes.get(i).copied().unwrap_or(0.0)));
+        model.answers.iter().enumerate().filter_map(move |(i, a)| Some((e, (a, given.as_str()), right(i)?)))
     };
     key.entries.iter().zip(given).flat_map(of)
 }
@@ -39,7 +33,7 @@ pub fn moodle((key, given): (&Key, &[String]), model: &Model, language: Language
     let title = language.text(&model.title);
     let mut out = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<!-- strutt {}, model {} -->\n", key.version, key.hash());
     let mut category = String::new();
-    for (entry, (answer, given), truth) in items((key, given), model) {
+    for (entry, (answer, given), right) in items((key, given), model) {
         if category != entry.member.name {
             category.clone_from(&entry.member.name);
             let path = format!("$course$/top/{}/{category}", title.replace('/', "//"));
@@ -49,7 +43,8 @@ pub fn moodle((key, given): (&Key, &[String]), model: &Model, language: Language
         let _ = writeln!(out, "<question type=\"numerical\">\n<name><text>{}</text></name>", xml(&name));
         let _ =
             writeln!(out, "<questiontext format=\"plain_text\"><text>{}</text></questiontext>\n<defaultgrade>1</defaultgrade>", xml(&text));
-        let _ = writeln!(out, "<answer fraction=\"100\"><text>{truth}</text><tolerance>{}</tolerance></answer>", allowed(answer, truth));
+        let _ =
+            writeln!(out, "<answer fraction=\"100\"><text>{}</text><tolerance>{}</tolerance></answer>", right.0, allowed(answer, right));
         if !answer.unit.label.is_empty() {
             let unit = report::unit::print(&answer.unit.label, language);
             let _ = writeln!(out, "<units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>", xml(&unit));
@@ -67,14 +62,14 @@ pub fn gift((key, given): (&Key, &[String]), model: &Model, language: Language) 
     let title = language.text(&model.title);
     let mut out = format!("// strutt {}, model {}\n", key.version, key.hash());
     let mut category = String::new();
-    for (entry, (answer, given), truth) in items((key, given), model) {
+    for (entry, (answer, given), right) in items((key, given), model) {
         if category != entry.member.name {
             category.clone_from(&entry.member.name);
             let _ = write!(out, "\n$CATEGORY: {}/{category}\n", title.replace('/', "//").replace('\n', " "));
         }
         let text = question(entry, (answer, given), language);
         let name = escaped(&format!("{}-{}", entry.member.name, answer.id));
-        let _ = writeln!(out, "\n::{name}::{} {{#{truth}:{}}}", escaped(&text), allowed(answer, truth));
+        let _ = writeln!(out, "\n::{name}::{} {{#{}:{}}}", escaped(&text), right.0, allowed(answer, right));
     }
     out
 }

@@ -14,6 +14,8 @@ use words::Notice;
 
 /// What a column may differ on both sides of an instant without a jump, relative.
 const SAME: f64 = 1e-9;
+/// A number below this share of the size of its quantity is rounding: zero.
+const NOISE: f64 = 1e-11;
 
 /// What studies gave, and what the questions make of it.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +24,8 @@ pub struct Solved {
     pub results: Vec<Results>,
     /// Right numbers, in the unit of the question.
     pub truths: Vec<Result<f64, Notice>>,
+    /// Sizes of their quantities, in the same units: the largest value that the study shows of them; zero where it shows none.
+    pub sizes: Vec<f64>,
     /// Numbers of n, N, parameters and answers.
     pub known: Values,
 }
@@ -37,14 +41,16 @@ pub fn answers(machine: &mut Machine, results: Vec<Results>, (given, own): (&Giv
     let given = Given { values: Vec::new(), ..given.clone() };
     let known = symbols(&machine.model, machine.model.variants.as_ref(), &given);
     let mut finder = Finder { machine, results, known, watch };
-    let mut truths = Vec::new();
+    let (mut truths, mut sizes) = (Vec::new(), Vec::new());
     for (i, answer) in finder.machine.model.answers.clone().iter().enumerate() {
-        let truth = finder.number(answer);
+        let found = finder.number(answer);
+        sizes.push(found.as_ref().map_or(0.0, |f| f[1]));
+        let truth = found.map(|[value, size]| if value.abs() <= NOISE * size { 0.0 } else { value });
         let value = own.iter().find(|(k, _)| *k == i).map(|(_, value)| *value).or_else(|| truth.as_ref().ok().copied());
         finder.known.insert(answer.symbol, value.map_or(f64::NAN, |v| v * answer.unit.factor));
         truths.push(truth);
     }
-    Solved { results: finder.results, truths, known: finder.known }
+    Solved { results: finder.results, truths, sizes, known: finder.known }
 }
 
 /// Every study of the file.
@@ -66,8 +72,9 @@ struct Finder<'a, 'w> {
 }
 
 impl Finder<'_, '_> {
-    fn number(&mut self, answer: &AnswerDecl) -> Result<f64, Notice> {
-        let AnswerValue::Study { of, .. } = &answer.value else { return self.formula(answer) };
+    /// The number and the size of its quantity, in the unit of the question.
+    fn number(&mut self, answer: &AnswerDecl) -> Result<[f64; 2], Notice> {
+        let AnswerValue::Study { of, .. } = &answer.value else { return self.formula(answer).map(|value| [value, 0.0]) };
         let wanted = match meaning::wanted(&self.machine.model, answer) {
             Some(Ok(wanted)) => wanted,
             _ => return Err(nothing(answer)),
@@ -81,7 +88,31 @@ impl Finder<'_, '_> {
             return Err(unknown(answer, Misfit::new("the study gives no number here", "расчёт не даёт здесь числа")));
         }
         let factor = scale(&unit, &answer.unit).map_err(|misfit| unknown(answer, misfit))?;
-        Ok(value / factor)
+        Ok([value / factor, self.size(&wanted, of.as_deref()) / factor.abs()])
+    }
+
+    /// The largest magnitude that the studies show of what is asked for, SI.
+    fn size(&self, wanted: &Wanted, of: Option<&str>) -> f64 {
+        let results = || self.results.iter().filter(move |r| of.is_none_or(|of| r.kind == of));
+        let greatest = |values: &mut dyn Iterator<Item = f64>| values.filter(|v| v.is_finite()).map(f64::abs).fold(0.0, f64::max);
+        let column = match wanted {
+            Wanted::Instant(_) => Some("t"),
+            Wanted::At(column, ..) => Some(column.as_str()),
+            Wanted::Number(number) => number.column(),
+        };
+        if let Some(column) = column {
+            let extremes = |r: &Results| r.data.extreme(column).map(|e| [e.min, e.max]);
+            let values = |r: &Results| r.data.column(column).map(|c| c.values.clone()).unwrap_or_default();
+            return greatest(&mut results().flat_map(|r| values(r).into_iter().chain(extremes(r).into_iter().flatten())));
+        }
+        let Wanted::Number(number) = wanted else { return 0.0 };
+        // a number of a study is measured by the others of its kind: reactions by reactions
+        let path = number.word();
+        let sizes = results().map(|r| {
+            let inside = path.strip_prefix(r.kind).and_then(|rest| rest.strip_prefix('.'));
+            [Some(path), inside].into_iter().flatten().map(|p| super::resting::size(r, p)).fold(0.0, f64::max)
+        });
+        sizes.fold(0.0, f64::max)
     }
 
     fn formula(&mut self, answer: &AnswerDecl) -> Result<f64, Notice> {
@@ -245,7 +276,14 @@ fn unit(results: &Results, wanted: &Observable, model: &mechanics::Model) -> Opt
         let (_, name) = (steps.next()?, steps.next()?);
         if steps.next()? == "outputs" { meaning::of_column(model, name).map(str::to_owned) } else { None }
     };
-    fact.or_else(beside).or_else(|| meaning::by_name(path).map(str::to_owned)).or_else(of_output)
+    // a named displacement of a frame or truss is a length or an angle
+    let displacement = |name: &str| {
+        let named = model.structure.as_ref()?.displacements.iter().find(|d| d.name == name)?;
+        let turns = matches!(named.direction, mechanics::structure::Direction::Turn);
+        Some(if turns { "rad" } else { "m" }.to_owned())
+    };
+    let resting = || super::resting::unit(results, path, &displacement);
+    fact.or_else(beside).or_else(resting).or_else(|| meaning::by_name(path).map(str::to_owned)).or_else(of_output)
 }
 
 fn rows_only(column: &str) -> Misfit {
