@@ -23,6 +23,8 @@ const ROUNDING: f64 = 1e-9;
 const TRIES: usize = 60;
 /// The same where each try is a motion.
 const FEW_TRIES: usize = 6;
+/// States with other rates at the end of one motion.
+const RATES: usize = 4;
 /// A gap below this is none.
 const CLOSED: f64 = 1e-9;
 
@@ -61,18 +63,17 @@ pub fn samples<S: System + ?Sized>(system: &mut S, start: &[f64], draw: Draw) ->
     let held = held(system, start);
     let tries = if places == Places::Carried { FEW_TRIES } else { TRIES };
     for k in 0..tries * count {
-        if rows.len() == count {
+        if rows.len() >= count {
             break;
         }
         // wide first, then nearer to the start, where connections can be met
         let reach = [1.0, 0.3, 0.1][k % 3];
-        let row = match places {
-            Places::Anywhere => state(system, start, (end, reach, &held), &mut random),
+        let found = match places {
+            Places::Anywhere => state(system, start, (end, reach, &held), &mut random).map(Vec::from_iter),
             Places::Carried => carried(system, start, &held, &mut random),
         };
-        match row {
-            Ok(Some(row)) => rows.push(row),
-            Ok(None) => {}
+        match found {
+            Ok(found) => rows.extend(found),
             Err(fault) => last = Some(fault),
         }
     }
@@ -132,29 +133,33 @@ fn modes<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], held: &[usize]) 
     Some(modes)
 }
 
-/// A state at the end of a short motion with random rates at its start, and with other random rates there.
-fn carried<S: System + ?Sized>(system: &mut S, start: &[f64], held: &[usize], random: &mut Random) -> Result<Option<Vec<f64>>, Fault> {
+/// States at the end of a short motion with random rates at its start, each with other random rates there.
+fn carried<S: System + ?Sized>(system: &mut S, start: &[f64], held: &[usize], random: &mut Random) -> Result<Vec<Vec<f64>>, Fault> {
     let (n, t) = (system.n_coordinates(), random.between(0.1, 1.0));
     let mut x = start.to_vec();
     if !shaken(system, (0.0, n, held), &mut x, random)? {
-        return Ok(None);
+        return Ok(Vec::new());
     }
     let names: Vec<String> = system.states().iter().map(|q| q.name.clone()).collect();
     let options = Simulate { grid: Grid::At(vec![t]), ..Simulate::until(t) };
     let data = simulate(system, &x, options).dataset;
     let last = |name: &String| data.column(name).and_then(|c| c.values.last().copied());
-    let Some(mut x) = names.iter().map(last).collect::<Option<Vec<f64>>>() else { return Ok(None) };
-    let before = x.clone();
-    if !x.iter().all(|v| v.is_finite()) || !shaken(system, (t, n, held), &mut x, random)? {
-        return Ok(None);
-    }
-    // a rope that went slack on the way is drawn taut by moving places: those are not reached
-    if x[..n].iter().zip(&before).any(|(a, b)| (a - b).abs() > CLOSED * b.abs().max(1.0)) {
-        return Ok(None);
+    let Some(reached) = names.iter().map(last).collect::<Option<Vec<f64>>>() else { return Ok(Vec::new()) };
+    if !reached.iter().all(|v| v.is_finite()) {
+        return Ok(Vec::new());
     }
     let wanted: Vec<usize> = (0..system.outputs().len()).collect();
     system.show(&wanted)?;
-    shown(system, (t, held), &x)
+    let mut found = Vec::new();
+    for _ in 0..RATES {
+        let mut x = reached.clone();
+        // a rope that went slack on the way is drawn taut by moving places: those are not reached
+        let stays = |x: &[f64]| x[..n].iter().zip(&reached).all(|(a, b)| (a - b).abs() <= CLOSED * b.abs().max(1.0));
+        if shaken(system, (t, n, held), &mut x, random)? && stays(&x) {
+            found.extend(shown(system, (t, held), &x)?);
+        }
+    }
+    Ok(found)
 }
 
 /// Random rates that keep the connections.

@@ -43,8 +43,8 @@ pub const NAMES: &[Explanation] = &[
         "M143",
         ("a claim that compares nothing", "результат, который не с чем сравнить"),
         (
-            "A claim of [[claims]] is one of four: `equation`; `of` with `formula`; `of` with `value` and, if it is not the start, `at`; `mode` with `value`.",
-            "Результат в [[claims]] — одно из четырёх: `equation`; `of` и `formula`; `of` и `value`, а если это не начало движения, то и `at`; `mode` и `value`.",
+            "A claim of [[claims]] is one of five: `equation`; `of` with `formula`; `of` with `value` and, if it is not the start, `at`; `mode` with `value`; `frequency`, an equation in k, with `unknown` where it has another unknown.",
+            "Результат в [[claims]] — одно из пяти: `equation`; `of` и `formula`; `of` и `value`, а если это не начало движения, то и `at`; `mode` и `value`; `frequency` — уравнение относительно k, и `unknown`, если неизвестная другая.",
         ),
         "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[[claims]]\nof = \"x\"\n",
         "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[[claims]]\nof = \"x\"\nvalue = \"0 m\"\n",

@@ -6,12 +6,12 @@ use crate::keys::{TableSpec, Type, may};
 pub const CLAIM: TableSpec = TableSpec {
     name: "claims",
     about: (
-        "A published result laid against the machine: an equation of motion, a formula of a quantity, a value, or a natural frequency. What deviates is shown with its deviation and the term that differs. A claim that fails says something about its source and not about the run: only `strutt claims --strict` makes an error of it.",
-        "Опубликованный результат, сопоставляемый с машиной: уравнение движения, формула величины, значение или собственная частота. Расхождение показывается с его величиной и с отличающимся слагаемым. Неверный результат говорит об источнике, а не о расчёте: ошибкой его делает только `strutt claims --strict`.",
+        "A published result laid against the machine: an equation of motion, a formula of a quantity, a value, a natural frequency, or a frequency equation. What deviates is shown with its deviation and the term that differs. A claim that fails says something about its source and not about the run: only `strutt claims --strict` makes an error of it.",
+        "Опубликованный результат, сопоставляемый с машиной: уравнение движения, формула величины, значение, собственная частота или частотное уравнение. Расхождение показывается с его величиной и с отличающимся слагаемым. Неверный результат говорит об источнике, а не о расчёте: ошибкой его делает только `strutt claims --strict`.",
     ),
     short: None,
     fields: &[
-        may("name", Type::String, "", "claim N", ("name in tables and files", "имя в таблицах и файлах"), "\"weight\""),
+        may("name", Type::Text, "", "claim N", ("name in tables and files", "название в таблицах и файлах"), "\"weight\""),
         may("source", Type::Text, "", "", ("where it is published", "где опубликовано"), "\"Ivanov, Machines, p. 37\""),
         may(
             "equation",
@@ -65,6 +65,28 @@ pub const CLAIM: TableSpec = TableSpec {
                 "значение — собственная частота с этим номером; в Гц – число периодов в секунду",
             ),
             "1",
+        ),
+        may(
+            "frequency",
+            Type::String,
+            "",
+            "",
+            (
+                "the frequency equation of small motions, left = right, in k (or omega, where k is the name of something else); factor, signs and order of terms do not matter",
+                "частотное уравнение малых колебаний, левая часть = правая, относительно k (или omega, если имя k занято); множитель, знаки и порядок слагаемых не важны",
+            ),
+            "\"m1*m2*k^4 - (c1*m2 + c2*(m1 + m2))*k^2 + c1*c2 = 0\"",
+        ),
+        may(
+            "unknown",
+            Type::String,
+            "",
+            "k",
+            (
+                "another name of the frequency, or another unknown and what it is",
+                "другое обозначение частоты либо другая неизвестная и её выражение через частоту",
+            ),
+            "\"z = m*k^2/c\"",
         ),
         may(
             "tolerance",

@@ -1,14 +1,14 @@
 //! Published results that are laid against the machine.
 
 use std::ops::Range;
-use symbolic::Expr;
+use symbolic::{Expr, SymbolId};
 use words::Text;
 
 /// A published result.
 #[derive(Clone, Debug)]
 pub struct ClaimDecl {
     /// Name.
-    pub name: String,
+    pub name: Text,
     /// Where it is published; may be empty.
     pub source: Text,
     /// What is claimed.
@@ -50,6 +50,17 @@ pub enum ClaimKind {
         published: f64,
         /// When.
         at: ClaimInstant,
+    },
+    /// The frequency equation left = right.
+    FrequencyEquation {
+        /// Left side.
+        left: Expr,
+        /// Right side.
+        right: Expr,
+        /// The circular frequency.
+        frequency: SymbolId,
+        /// The unknown, where the equation has another than the frequency, and what it is.
+        unknown: Option<(SymbolId, Expr)>,
     },
     /// A natural frequency, rad/s.
     Frequency {

@@ -1,13 +1,15 @@
 //! `[[claims]]`: published results. They may be wrong, also in their dimensions: that is a result and no error of the file.
 
 use crate::fields;
-use crate::formula::{Context, Kind, check};
+use crate::formula::{Context, Depends, Entry, EntryKind, Kind, check};
 use crate::model::{ClaimDecl, ClaimInstant, ClaimKind};
-use crate::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
+use crate::reader::{Checked, Fields, Raw, Reader, wrong_type};
 use crate::snippet::Snippet;
 use crate::units::{Dimension, si_label, si_label_ru};
 use algebra::elementary;
 use std::f64::consts::TAU;
+use std::ops::Range;
+use symbolic::{Expr, SymbolId};
 use toml::de::DeValue;
 use words::{Notice, Severity, Text};
 
@@ -47,24 +49,25 @@ struct Compared {
 }
 
 fn claim<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, number: usize) -> Option<ClaimDecl> {
-    let name = fields.get("name").and_then(|v| string(reader, v, "a name", "имя")).map(|(name, _)| name);
+    let name = fields.text(reader, "name");
     let source = fields.text(reader, "source").unwrap_or_default();
     let tolerance = fields.formula(reader, "tolerance", &Context::CONSTANT, Some(&Dimension::NONE)).and_then(|v| reader.number(&v));
     let given = |keys: &[&'static str]| keys.iter().all(|k| fields.has(k));
-    let keys: &[&'static str] = &["equation", "of", "formula", "value", "at", "mode"];
+    let keys: &[&'static str] = &["equation", "of", "formula", "value", "at", "mode", "frequency", "unknown"];
     let only = |allowed: &[&str]| keys.iter().all(|k| allowed.contains(k) || !fields.has(k));
     let compared = match () {
         () if given(&["equation"]) && only(&["equation"]) => equation(reader, fields),
         () if given(&["of", "formula"]) && only(&["of", "formula"]) => formula(reader, fields),
         () if given(&["of", "value"]) && only(&["of", "value", "at"]) => value(reader, fields),
         () if given(&["mode", "value"]) && only(&["mode", "value"]) => frequency(reader, fields),
+        () if given(&["frequency"]) && only(&["frequency", "unknown"]) => frequency_equation(reader, fields),
         () => {
             reader.fault(incomplete(fields));
             None
         }
     }?;
     Some(ClaimDecl {
-        name: name.unwrap_or_else(|| format!("claim {number}")),
+        name: name.unwrap_or_else(|| Text::new(format!("claim {number}"), format!("утверждение {number}"))),
         source,
         kind: compared.kind,
         tolerance: tolerance.filter(|t| *t > 0.0).unwrap_or(compared.tolerance),
@@ -83,17 +86,23 @@ fn incomplete(fields: &Fields) -> Notice {
         "этот результат не с чем сравнить, либо ключей слишком много",
     )
     .why(
-        "a claim is one of: an equation; a formula of something; a value of something; the value of a mode",
-        "результат — это одно из: уравнение; формула величины; значение величины; значение частоты с номером",
+        "a claim is one of: an equation; a formula of something; a value of something; the value of a mode; a frequency equation",
+        "результат — это одно из: уравнение; формула величины; значение величины; значение частоты с номером; частотное уравнение",
     )
     .help(
-        "give `equation`; or `of` and `formula`; or `of` and `value` (and `at`); or `mode` and `value`",
-        "задайте `equation`; или `of` и `formula`; или `of` и `value` (и `at`); или `mode` и `value`",
+        "give `equation`; or `of` and `formula`; or `of` and `value` (and `at`); or `mode` and `value`; or `frequency`",
+        "задайте `equation`; или `of` и `formula`; или `of` и `value` (и `at`); или `mode` и `value`; или `frequency`",
     )
 }
 
 fn equation<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared> {
-    let snippet = reader.snippet(fields.get("equation")?)?;
+    let (sides, unit, dimensions) = sides(reader, fields, "equation")?;
+    Some(Compared { kind: ClaimKind::Equation { left: sides[0], right: sides[1] }, tolerance: USUAL, unit, dimensions })
+}
+
+/// Both sides of an equation, their unit, what is wrong with their dimensions.
+fn sides<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<([Expr; 2], String, Text)> {
+    let snippet = reader.snippet(fields.get(key)?)?;
     let sides: Vec<&str> = snippet.text.split('=').collect();
     let [left, right] = sides[..] else {
         let fault = Notice::piece("M144", snippet.all(), "an equation has two sides and one `=`", "у уравнения две части и один знак `=`")
@@ -113,8 +122,76 @@ fn equation<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared
         return None;
     }
     differ(&mut dimensions, [("the left side", "левая часть"), ("the right side", "правая часть")], [left.kind, right.kind]);
-    let unit = label(left.kind);
-    Some(Compared { kind: ClaimKind::Equation { left: left.expr, right: right.expr }, tolerance: USUAL, unit, dimensions })
+    Some(([left.expr, right.expr], label(left.kind), dimensions))
+}
+
+/// `frequency = "m*p^2 - c = 0"`: the frequency is k, or omega where k is taken, or what `unknown` says: a name, or `z = m*k^2/c`.
+fn frequency_equation<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared> {
+    let unknown = fields.get("unknown").and_then(|v| reader.snippet(v));
+    let (name, formula) = match &unknown {
+        Some(snippet) => match snippet.text.split_once('=') {
+            Some((name, _)) => (name.trim().to_owned(), Some(snippet.part(name.len() + 1..snippet.text.len()))),
+            None => (snippet.text.trim().to_owned(), None),
+        },
+        None => (String::new(), None),
+    };
+    if unknown.is_some() && !crate::formula::is_identifier(&name) {
+        let fault = Notice::piece("M143", fields.span_of("unknown"), "the unknown has no name", "у неизвестной нет имени");
+        reader.fault(
+            fault.help("write unknown = \"p\", or unknown = \"z = m*k^2/c\"", "напишите unknown = \"p\" или unknown = \"z = m*k^2/c\""),
+        );
+        return None;
+    }
+    let free = super::studies::FREQUENCIES.iter().find(|f| reader.scope.get(f).is_none()).copied().unwrap_or("omega");
+    let own = if formula.is_none() && unknown.is_some() { name.as_str() } else { free };
+    let mut before = Vec::new();
+    let frequency = covered(reader, (own, Kind::Known(Dimension::ANGULAR_RATE)), &mut before);
+    let meaning = formula.map(|piece| {
+        let raw = reader.raw_text(piece);
+        reader.value(&raw, &Context::TIME, None)
+    });
+    let unknown = meaning.map(|m| (covered(reader, (&name, m.kind), &mut before), m));
+    let found = sides(reader, fields, "frequency");
+    before.into_iter().rev().for_each(|(name, entry)| reader.scope.uncover(&name, entry));
+    let (sides, unit, dimensions) = found?;
+    if unknown.as_ref().is_some_and(|(_, m)| !m.good) {
+        return None;
+    }
+    let coordinates = reader.scope.coordinates();
+    let graph = &reader.builder.graph;
+    let letter = unknown.as_ref().map_or(frequency, |(s, _)| *s);
+    let moves = |s: SymbolId| s != letter && coordinates.contains(&s);
+    if sides.iter().any(|e| graph.contains(*e, moves)) || !sides.iter().any(|e| graph.contains(*e, |s| s == letter)) {
+        reader.fault(no_frequency_equation(fields.span_of("frequency"), if unknown.is_some() { &name } else { own }));
+        return None;
+    }
+    let unknown = unknown.map(|(s, m)| (s, m.expr));
+    Some(Compared {
+        kind: ClaimKind::FrequencyEquation { left: sides[0], right: sides[1], frequency, unknown },
+        tolerance: USUAL,
+        unit,
+        dimensions,
+    })
+}
+
+/// Gives a name another meaning for one claim.
+fn covered(reader: &mut Reader, (name, dimension): (&str, Kind), before: &mut Vec<(String, Option<Entry>)>) -> SymbolId {
+    let symbol = reader.builder.graph.symbol_id(name, 0);
+    let entry = Entry { kind: EntryKind::Parameter(symbol), dimension, depends: Depends::TIME };
+    before.push((name.to_owned(), reader.scope.cover(name, entry)));
+    symbol
+}
+
+fn no_frequency_equation(span: Range<usize>, unknown: &str) -> Notice {
+    Notice::piece("M144", span, "this is no frequency equation", "это не частотное уравнение")
+        .why(
+            format!("it has the unknown `{unknown}`, parameters and numbers, and no coordinates"),
+            format!("в него входят неизвестная `{unknown}`, параметры и числа, но не координаты"),
+        )
+        .help(
+            "write for example frequency = \"m*k^2 - c = 0\"; another letter: unknown = \"p\"",
+            "напишите, например, frequency = \"m*k^2 - c = 0\"; другая буква: unknown = \"p\"",
+        )
 }
 
 fn formula<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared> {

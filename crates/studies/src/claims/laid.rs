@@ -121,7 +121,7 @@ fn terms_of(model: &mut Model, kind: &ClaimKind, own: &[Expr]) -> Terms {
             Terms { terms, of: Some(*of), ..Terms::default() }
         }
         ClaimKind::Value { of, .. } => Terms { of: Some(*of), ..Terms::default() },
-        ClaimKind::Frequency { .. } => Terms::default(),
+        ClaimKind::Frequency { .. } | ClaimKind::FrequencyEquation { .. } => Terms::default(),
     }
 }
 
@@ -134,7 +134,7 @@ fn with_accelerations(model: &Model, terms: &[Expr]) -> Vec<usize> {
 }
 
 /// The summands of an expression, products of sums multiplied out.
-fn apart(graph: &mut Graph, e: Expr) -> Vec<Expr> {
+pub(super) fn apart(graph: &mut Graph, e: Expr) -> Vec<Expr> {
     let mut found = Vec::new();
     if spread(graph, e, DEPTH, &mut found) && !found.is_empty() { found } else { vec![e] }
 }

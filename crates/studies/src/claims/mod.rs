@@ -8,6 +8,7 @@
 
 mod laid;
 mod show;
+mod spectrum;
 mod terms;
 mod values;
 mod verdict;
@@ -44,13 +45,19 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Results> {
                 fault.iter().for_each(|fault| verdict.words = coded(fault));
             }
             let judged: Vec<usize> = (0..claims.len()).filter(|i| refused[*i].is_none()).collect();
+            let compared = |i: &usize| matches!(claims[*i].kind, ClaimKind::Equation { .. } | ClaimKind::Formula { .. });
+            let rows = if judged.iter().any(compared) { terms::drawn(&mut laid) } else { Ok(Vec::new()) };
             for &i in &judged {
                 let claim = &claims[i];
                 match &claim.kind {
-                    ClaimKind::Equation { .. } | ClaimKind::Formula { .. } => terms::judge(&mut laid, (i, claim), &mut verdicts[i]),
+                    ClaimKind::Equation { .. } | ClaimKind::Formula { .. } => match &rows {
+                        Ok(rows) => terms::judge(&mut laid, (i, claim), rows, &mut verdicts[i]),
+                        Err(words) => verdicts[i].words = words.clone(),
+                    },
                     ClaimKind::Frequency { mode, published } => {
                         values::frequency(machine, (*mode, *published), &mut verdicts[i], watch);
                     }
+                    ClaimKind::FrequencyEquation { .. } => spectrum::judge(machine, claim, &mut verdicts[i], watch),
                     ClaimKind::Value { .. } => {}
                 }
             }
@@ -78,8 +85,8 @@ fn coded(fault: &Fault) -> Text {
 }
 
 fn remark(verdict: &Verdict) -> Text {
-    let of = |words: &str| format!("{}: {words}.", verdict.name);
-    Text::new(of(&verdict.words.en), of(&verdict.words.ru))
+    let of = |name: &str, words: &str| format!("{name}: {words}.");
+    Text::new(of(&verdict.name.en, &verdict.words.en), of(&verdict.name.ru, &verdict.words.ru))
 }
 
 fn unjudged(claim: &mechanics::model::ClaimDecl) -> Verdict {

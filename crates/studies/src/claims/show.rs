@@ -35,7 +35,8 @@ fn table(verdicts: &[Verdict], language: Language) -> Table {
     let number = |x: f64| if x.is_finite() { Cell::number(x, DIGITS, language) } else { Cell::Empty };
     for v in verdicts {
         let source = language.text(&v.source);
-        let name = if source.is_empty() { v.name.clone() } else { format!("{} ({source})", v.name) };
+        let name = language.text(&v.name);
+        let name = if source.is_empty() { name.to_owned() } else { format!("{name} ({source})") };
         let unit = Cell::words(report::unit::print(&v.unit, language));
         let deviation = if v.deviation.is_finite() { Cell::words(report::number::short(v.deviation, 2, language)) } else { Cell::Empty };
         table.row(vec![Cell::words(name), number(v.published), number(v.value), unit, deviation, Cell::words(holds(v, language))]);
@@ -55,7 +56,7 @@ fn holds(verdict: &Verdict, language: Language) -> &'static str {
 pub fn to_json(verdicts: &[Verdict]) -> Value {
     let finite = |x: f64| x.is_finite().then_some(x);
     let one = |v: &Verdict| {
-        json!({"name": v.name, "source": v.source.en, "unit": v.unit, "value": finite(v.value), "published": finite(v.published),
+        json!({"name": v.name.en, "source": v.source.en, "unit": v.unit, "value": finite(v.value), "published": finite(v.published),
             "deviation": finite(v.deviation), "ok": v.ok, "differs": v.words.en})
     };
     verdicts.iter().map(one).collect()

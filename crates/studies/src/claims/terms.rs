@@ -13,22 +13,27 @@ use words::{Language, Text};
 /// Times at which a machine is tried lie within this many seconds: loads that depend on time take part.
 const SPAN: f64 = 10.0;
 const SEED: u64 = 41;
+/// A deviation below this is rounding.
+const SAME: f64 = 1e-12;
 
-/// Compares a claim with the machine at random states.
-pub fn judge(laid: &mut Laid, (number, claim): (usize, &ClaimDecl), verdict: &mut Verdict) {
-    let terms = laid.claims[number].clone();
-    let count = 3 * (terms.terms.len() + 1) + 12;
+/// All outputs at random states, enough for the longest of the claims.
+///
+/// # Errors
+/// The machine has no regular state nearby.
+pub fn drawn(laid: &mut Laid) -> Result<Vec<Vec<f64>>, Text> {
+    let longest = laid.claims.iter().map(|terms| terms.terms.len()).max().unwrap_or(0);
+    let count = 3 * (longest + 1) + 12;
     let of_rates = laid.machine.equations.conditions.iter().any(|c| c.place.is_none());
     let places = if of_rates { Places::Carried } else { Places::Anywhere };
     let system = &mut laid.machine.system;
     let rows = system.start().and_then(|start| samples(system, &start, Draw { end: SPAN, count, places, seed: SEED }));
-    let rows = match rows {
-        Ok(rows) => rows,
-        Err(fault) => {
-            verdict.words = fault.what.clone();
-            return;
-        }
-    };
+    rows.map_err(|fault| fault.what.clone())
+}
+
+/// Compares a claim with the machine at these states.
+pub fn judge(laid: &mut Laid, (number, claim): (usize, &ClaimDecl), rows: &[Vec<f64>], verdict: &mut Verdict) {
+    let terms = laid.claims[number].clone();
+    let system = &laid.machine.system;
     let names: Vec<&str> = system.outputs().iter().map(|q| q.name.as_str()).collect();
     let place = |k: usize| names.iter().position(|n| *n == output_name(number, k));
     let column = |k: usize| -> Vec<f64> {
@@ -43,6 +48,10 @@ pub fn judge(laid: &mut Laid, (number, claim): (usize, &ClaimDecl), verdict: &mu
     (verdict.value, verdict.published) = found.worst;
     verdict.deviation = found.deviation;
     verdict.ok = found.holds(claim.tolerance);
+    // what is rounding is the same number
+    if verdict.ok && found.deviation < SAME {
+        verdict.published = verdict.value;
+    }
     if !verdict.ok {
         verdict.words = words(&mut laid.machine, &terms, &found, claim.tolerance);
     }
@@ -71,7 +80,7 @@ fn words(machine: &mut Machine, terms: &Terms, found: &Fit, tolerance: f64) -> T
 }
 
 /// `published 20.6 cos φ, here 18.2466 cos φ: 0.885757 of it`.
-fn of_term(machine: &mut Machine, term: Expr, factor: f64) -> Text {
+pub(super) fn of_term(machine: &mut Machine, term: Expr, factor: f64) -> Text {
     let [en, ru] = printed(machine, term);
     if factor.abs() < 1e-9 {
         return Text::new(format!("the term {en} does not exist here"), format!("слагаемого {ru} здесь нет"));

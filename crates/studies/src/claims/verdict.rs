@@ -6,7 +6,7 @@ use words::Text;
 #[derive(Clone, Debug, Default)]
 pub struct Verdict {
     /// Its name.
-    pub name: String,
+    pub name: Text,
     /// Where it is published; may be empty.
     pub source: Text,
     /// SI unit of both values.

@@ -11,7 +11,7 @@ use symbolic::Rational;
 use words::Notice;
 
 /// Names that may stand for the frequency in `frequency_variable`; the first that the model does not use otherwise is meant.
-const FREQUENCIES: [&str; 3] = ["k", "omega", "ω"];
+pub(in super::super) const FREQUENCIES: [&str; 3] = ["k", "omega", "ω"];
 
 /// `frequency_variable = { z = "m*l^3*k^2/(72*E*I)" }`.
 pub(super) fn variable<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<FrequencyVariable> {

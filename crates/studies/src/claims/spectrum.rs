@@ -1,0 +1,179 @@
+//! Frequency equations: they vanish at the natural frequencies of the machine, also at those with other values of its parameters, and at no other frequency.
+//!
+//! With L(ω) = Σ T_k(ω) for left - right, every natural frequency ω_j of the machine gives a row Σ α_k T_k(ω_j) = 0. Values of the parameters are drawn, so that
+//! terms with the same power of ω are told apart; the factors α_k name the term that is wrong. An equation with too many or too few roots is found by
+//! L(ω) / Π (ω² - ω_j²), which is then no power of ω.
+
+use super::laid::apart;
+use super::terms::of_term;
+use super::verdict::Verdict;
+use crate::machine::Machine;
+use crate::small::asked::Modes;
+use crate::watch::Watch;
+use algebra::elementary;
+use algebra::random::Random;
+use analysis::studies::claims::{Fit, Sum, fit};
+use mechanics::asked::Asked;
+use mechanics::model::{ClaimDecl, ClaimKind, Class, Values};
+use mechanics::variants::{Given, symbols};
+use symbolic::{Expr, SymbolId};
+use words::Text;
+
+/// Values of parameters are drawn between these shares of their own.
+const SPREAD: [f64; 2] = [0.8, 1.25];
+const SEED: u64 = 73;
+/// A frequency below this share of the largest is zero.
+const RIGID: f64 = 1e-6;
+/// The ratio of a right equation to the product of its roots, at several frequencies: rounding of the roots.
+const SAME: f64 = 1e-6;
+/// Frequencies between and beyond the roots, as shares of the mean root, at which both are compared.
+const BESIDE: [f64; 5] = [0.37, 0.83, 1.31, 1.93, 2.71];
+
+/// The equation as a sum, and what its letters mean.
+struct Published {
+    terms: Vec<Expr>,
+    frequency: SymbolId,
+    unknown: Option<(SymbolId, Expr)>,
+}
+
+/// Compares a frequency equation with the natural frequencies.
+pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, watch: &mut Watch) {
+    let ClaimKind::FrequencyEquation { left, right, frequency, unknown } = &claim.kind else { return };
+    let graph = &mut machine.equations.graph;
+    let whole = graph.sub(*left, *right);
+    let published = Published { terms: apart(graph, whole), frequency: *frequency, unknown: *unknown };
+    let own = match frequencies(machine, watch) {
+        Ok(own) => own,
+        Err(words) => return verdict.words = words,
+    };
+    let rows = rows(machine, &published, &own, watch);
+    let values: Vec<Vec<f64>> = (0..published.terms.len()).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
+    let anchors: Vec<usize> = (0..published.terms.len()).collect();
+    let found = fit(Sum { terms: &values, target: None, anchors: &anchors, others: &[] });
+    (verdict.value, verdict.published) = found.worst;
+    verdict.deviation = found.deviation;
+    let vanishes = found.holds(claim.tolerance);
+    verdict.ok = vanishes && has_these_roots(machine, &published, &own);
+    if verdict.ok {
+        verdict.published = verdict.value;
+    } else {
+        verdict.words = if vanishes { other_roots(&own) } else { words(machine, (&published, &own), &found, claim.tolerance) };
+    }
+}
+
+/// Natural circular frequencies without damping, the smallest first; rigid motions are zero.
+fn frequencies(machine: &mut Machine, watch: &mut Watch) -> Result<Vec<f64>, Text> {
+    let found = crate::modes::natural(machine, &Modes::of(&Asked::new("modes")), watch);
+    if let Some(trouble) = &found.trouble {
+        return Err(trouble.what.clone());
+    }
+    let modes = found.own.get("modes").and_then(serde_json::Value::as_array).cloned().unwrap_or_default();
+    let number = |mode: &serde_json::Value, key: &str| mode.get(key).and_then(serde_json::Value::as_f64);
+    if modes.iter().any(|m| number(m, "damping_ratio").is_some_and(|d| d != 0.0)) {
+        return Err(Text::new(
+            "the machine has damping: a frequency equation is that of the machine without it (set its damping to zero)",
+            "в машине есть сопротивление: частотное уравнение составляют без него (задайте сопротивление равным нулю)",
+        ));
+    }
+    let mut own: Vec<f64> = modes.iter().filter_map(|m| number(m, "omega")).filter(|w| w.is_finite()).collect();
+    own.sort_by(f64::total_cmp);
+    let least = RIGID * own.last().copied().unwrap_or(0.0);
+    own.iter_mut().filter(|w| **w < least).for_each(|w| *w = 0.0);
+    let none = || Text::new("there are no natural frequencies", "собственных частот нет");
+    if own.is_empty() { Err(none()) } else { Ok(own) }
+}
+
+/// The terms at each natural frequency, with the values of the file and with drawn ones.
+fn rows(machine: &mut Machine, published: &Published, own: &[f64], watch: &mut Watch) -> Vec<Vec<f64>> {
+    let mut rows: Vec<Vec<f64>> = own.iter().map(|w| terms_at(machine, published, *w)).collect();
+    let named: Vec<(String, f64)> = machine
+        .model
+        .parameters
+        .iter()
+        .filter(|p| p.class == Class::Constant)
+        .filter_map(|p| Some((p.name.clone(), p.number.filter(|v| *v != 0.0)?)))
+        .collect();
+    let draws = (2 * published.terms.len() + 6) / own.len() + 1;
+    let mut random = Random::new(SEED);
+    for _ in 0..draws {
+        let values: Vec<(&str, f64)> = named.iter().map(|(name, v)| (name.as_str(), v * random.between(SPREAD[0], SPREAD[1]))).collect();
+        let Ok(mut other) = machine.with_values(&values) else { continue };
+        // formulas of the claim are those of the graph above
+        let known = constants(&other);
+        if let Ok(list) = frequencies(&mut other, watch) {
+            rows.extend(list.iter().map(|w| evaluated(machine, published, (*w, known.clone()))));
+        }
+    }
+    rows
+}
+
+fn constants(machine: &Machine) -> Values {
+    symbols(&machine.model, None, &Given::default())
+}
+
+fn terms_at(machine: &Machine, published: &Published, frequency: f64) -> Vec<f64> {
+    evaluated(machine, published, (frequency, constants(machine)))
+}
+
+/// Every term at a frequency with these values of the parameters.
+fn evaluated(machine: &Machine, published: &Published, (frequency, mut known): (f64, Values)) -> Vec<f64> {
+    let graph = &machine.equations.graph;
+    known.insert(published.frequency, frequency);
+    let value = |list: &[Expr], known: &Values| graph.evaluate(list, &|s| known.get(&s).copied().unwrap_or(f64::NAN));
+    if let Some((symbol, meaning)) = published.unknown {
+        let unknown = value(&[meaning], &known)[0];
+        known.insert(symbol, unknown);
+    }
+    value(&published.terms, &known)
+}
+
+/// Whether L has the natural frequencies for roots and no others: L / Π (ω² - ω_j²) is a constant times a power of ω.
+fn has_these_roots(machine: &Machine, published: &Published, own: &[f64]) -> bool {
+    let mean = own.iter().sum::<f64>() / own.len() as f64;
+    let mean = if mean > 0.0 { mean } else { 1.0 };
+    let ratio = |w: f64| {
+        let sum: f64 = terms_at(machine, published, w).iter().sum();
+        let roots: f64 = own.iter().map(|r| (w * w - r * r) / (mean * mean)).product();
+        sum / roots
+    };
+    let found: Vec<[f64; 2]> = BESIDE.iter().map(|s| [*s, ratio(s * mean)]).collect();
+    let [first, second] = [found[0], found[1]];
+    let power = elementary::ln((second[1] / first[1]).abs()) / elementary::ln(second[0] / first[0]);
+    let even = 2.0 * (power / 2.0).round();
+    let holds = |f: &[f64; 2]| (f[1] / first[1] - elementary::pow(f[0] / first[0], even)).abs() <= SAME * (f[1] / first[1]).abs();
+    first[1].is_finite() && first[1] != 0.0 && found.iter().all(holds)
+}
+
+/// Natural frequencies for a sentence.
+fn listed(own: &[f64], language: words::Language) -> String {
+    own.iter().map(|w| report::number::short(*w, 5, language)).collect::<Vec<_>>().join("; ")
+}
+
+fn other_roots(own: &[f64]) -> Text {
+    let of = |language| listed(own, language);
+    Text::new(
+        format!("the equation has other roots besides the natural frequencies {} rad/s", of(words::Language::En)),
+        format!("уравнение имеет и другие корни, кроме собственных частот {} рад/с", of(words::Language::Ru)),
+    )
+}
+
+/// Which terms differ; where that cannot be told, the natural frequencies.
+fn words(machine: &mut Machine, (published, own): (&Published, &[f64]), found: &Fit, tolerance: f64) -> Text {
+    let mut list: Vec<Text> = Vec::new();
+    if let Some(factors) = &found.factors {
+        for group in found.groups.iter().filter(|g| (factors[g[0]] - 1.0).abs() > tolerance) {
+            let parts: Vec<Expr> = group.iter().map(|k| published.terms[*k]).collect();
+            let whole = machine.equations.graph.sum(&parts);
+            list.push(of_term(machine, whole, factors[group[0]]));
+        }
+    }
+    if list.is_empty() {
+        let of = |language| listed(own, language);
+        return Text::new(
+            format!("the equation does not hold at the natural frequencies {} rad/s", of(words::Language::En)),
+            format!("уравнение не выполняется при собственных частотах {} рад/с", of(words::Language::Ru)),
+        );
+    }
+    let joined = |pick: fn(&Text) -> &str| list.iter().map(pick).collect::<Vec<_>>().join("; ");
+    Text::new(joined(|t| &t.en), joined(|t| &t.ru))
+}
