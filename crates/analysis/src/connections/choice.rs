@@ -163,9 +163,14 @@ impl Bench<'_> {
                 let unit = Text::unit(&unit_of(&coordinate.unit, level));
                 let prime = if k == 0 { "" } else { "'" };
                 let (old, new, name) = (rounded(old), seven_digits(new), self.coordinate(j));
+                // a guess of the file is shown beside what came of it; zero that nobody gave is not
+                let from = match coordinate.guessed[level.index()] {
+                    true => Text::new(format!(" (guess {})", old.en), format!(" (начальное приближение {})", old.ru)),
+                    false => Text::default(),
+                };
                 names.push(Text::new(
-                    format!("{name}{prime} = {}{} (from {})", new.en, unit.en, old.en),
-                    format!("{name}{prime} = {}{} (вместо {})", new.ru, unit.ru, old.ru),
+                    format!("{name}{prime} = {}{}{}", new.en, unit.en, from.en),
+                    format!("{name}{prime} = {}{}{}", new.ru, unit.ru, from.ru),
                 ));
             }
         }
@@ -173,7 +178,7 @@ impl Bench<'_> {
         (!names.is_empty()).then(|| {
             Text::new(
                 format!("start values found from the connections: {}", list.en),
-                format!("начальные значения, найденные из связей: {}", list.ru),
+                format!("начальные значения найдены из уравнений связей: {}", list.ru),
             )
         })
     }

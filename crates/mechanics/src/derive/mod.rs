@@ -120,6 +120,8 @@ impl Derived {
         let definitions = definitions(&mut scene, &roots);
         let (parameters, starts) = with_starts(&scene, parameters(model));
         let zero = scene.graph.zero();
+        let letters = connections::letters(model, &scene.graph, (&connected.reactions, &self.outputs));
+        let notation = model.notation.iter().cloned().chain(letters).collect();
         Equations {
             title: model.title.clone(),
             time: model.time,
@@ -142,7 +144,7 @@ impl Derived {
             applied: self.applied,
             energy: self.energy,
             outputs: self.outputs,
-            notation: model.notation.clone(),
+            notation,
             premises: scene.premises,
             graph: scene.graph,
         }

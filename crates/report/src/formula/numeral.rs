@@ -60,8 +60,8 @@ const CUT_DIGITS: usize = 6;
 /// The written form of |value|.
 ///
 /// Denominators up to 12 stay fractions (1/2, 2/5, π/12), except 10, which only decimals produce; other numbers are decimals when
-/// six digits give them exactly (15 with a denominator over 10 000), else fractions. What is still too long is cut to six digits and
-/// an ellipsis.
+/// six digits give them exactly (15 with a denominator over 10 000), else fractions, with a decimal below the line where that takes
+/// zeros away from above it (1/0.123). What is still too long is cut to six digits and an ellipsis.
 pub(super) fn numeral(value: &Rational, language: Language) -> Numeral {
     let (n, d) = value.abs().digits();
     if d == "1" && n.trim_end_matches('0').len() <= TYPED_DIGITS {
@@ -70,6 +70,12 @@ pub(super) fn numeral(value: &Rational, language: Language) -> Numeral {
     let small = d.parse::<u32>().is_ok_and(|d| d <= 12 && d != 10) && n.len() <= 2;
     if !small && let Some(shown) = exact_decimal(&n, &d, language) {
         return Numeral::Plain(shown);
+    }
+    // r/0.123 was written with a decimal below the line: 1000 r/123 is nobody's hand
+    let short = n.trim_end_matches('0');
+    let zeros = n.len() - short.len();
+    if d.len() >= 2 && zeros >= d.len() && zeros < RATIO_DIGITS {
+        return Numeral::Ratio(Layout::digits(short), decimal(&d, zeros, language));
     }
     if d != "1" && n.len() <= RATIO_DIGITS && d.len() <= RATIO_DIGITS {
         return Numeral::Ratio(Layout::digits(n), Layout::digits(d));

@@ -1,12 +1,15 @@
 //! Single numbers that a study found.
 
+use super::view::View;
 use analysis::Quantity;
 use report::table::Column;
 use report::{Cell, Table, Word};
-use words::{Language, Text};
+use words::Text;
 
-/// Significant digits of a fact: it stands alone and is compared.
+/// Significant digits of a fact in a terminal: it stands alone and is compared.
 const DIGITS: usize = 8;
+/// The same on a page, as many as all its tables have at most.
+const PAGE_DIGITS: usize = 6;
 
 /// A single number that a study found.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,7 +36,9 @@ impl Fact {
 }
 
 /// The numbers that have a meaning for readers, as a table.
-pub fn table(facts: &[Fact], language: Language) -> Option<Table> {
+pub fn table(facts: &[Fact], view: &View) -> Option<Table> {
+    let language = view.language;
+    let digits = if view.is_page() { PAGE_DIGITS } else { DIGITS };
     let shown: Vec<&Fact> = facts.iter().filter(|f| !f.quantity.label.en.is_empty()).collect();
     if shown.is_empty() {
         return None;
@@ -44,7 +49,7 @@ pub fn table(facts: &[Fact], language: Language) -> Option<Table> {
         let words = language.text(&fact.words);
         let label = language.text(&fact.quantity.label);
         let label = if words.is_empty() { label.to_owned() } else { format!("{label}: {words}") };
-        let number = if fact.value.is_nan() { Cell::Empty } else { Cell::number(fact.value, DIGITS, language) };
+        let number = if fact.value.is_nan() { Cell::Empty } else { Cell::number(fact.value, digits, language) };
         table.row(vec![
             Cell::symbol(&fact.quantity.symbol),
             number,

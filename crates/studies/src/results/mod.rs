@@ -185,7 +185,7 @@ impl Results {
         let title = language.text(&self.heading);
         let captioned = |table: Table, caption: &str| Block::Table(if view.is_page() { table.with_caption(caption) } else { table });
         let mut blocks: Vec<Block> = self.words.iter().map(|words| Block::paragraph(language.text(words))).collect();
-        blocks.extend(facts::table(&self.facts, language).map(|table| captioned(table, title)));
+        blocks.extend(facts::table(&self.facts, view).map(|table| captioned(table, title)));
         let caption = if self.rows == Rows::Beside { title } else { language.word(Word::Results) };
         blocks.extend(self.columns_table(language).map(|table| captioned(table, caption)));
         blocks.extend(events::notes(&self.data, language));

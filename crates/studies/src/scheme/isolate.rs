@@ -48,7 +48,11 @@ impl Cut<'_, '_> {
         let is =
             |r: &&symbolic::connections::Reaction| r.name == bare || r.name.starts_with(&format!("{part}(")) && r.name.ends_with(&long);
         match equations.reactions.iter().find(is) {
-            Some(reaction) => LabelText::Symbol(equations.graph.symbol_info(reaction.symbol).name.clone()),
+            Some(reaction) => {
+                let name = &equations.graph.symbol_info(reaction.symbol).name;
+                let shown = equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, shown)| shown);
+                LabelText::Symbol(shown.clone())
+            }
             None => LabelText::Symbol(format!("{other}_{name}")),
         }
     }

@@ -10,6 +10,8 @@ use words::Language;
 const DIGITS: usize = 4;
 /// Extremes that are named.
 const MOST: usize = 6;
+/// Reactions at rest that are named.
+const HELD: usize = 10;
 /// How far a sample may lie beyond an extreme that was sought between samples.
 const ROUNDING: f64 = 1e-9;
 
@@ -18,8 +20,13 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     let audits = super::verification::merged(work.calculation.audits());
     let checks = Statement::Checks { all: audits.len(), failed: audits.iter().filter(|a| !a.ok).count() };
     let held = statements.chain([checks]).filter(Statement::holds);
+    let symbols = super::sentences::Symbols::of(work);
     for (i, statement) in held.enumerate() {
-        pen.say(format!("{}. {}", i + 1, statement.words(work.language)));
+        let line = format!("{}. {}", i + 1, statement.words(work.language));
+        match statement {
+            Statement::Held { .. } => pen.tell(symbols.split(&line)),
+            _ => pen.say(line),
+        }
     }
 }
 
@@ -40,6 +47,8 @@ enum Statement {
     Irregular { delta: f64 },
     /// What a cycle needs: names, values with units as they are shown; for a wanted irregularity where there is one.
     Needed { delta: Option<f64>, found: Vec<(String, f64, String)> },
+    /// Reactions at rest: symbols, values with units as they are shown.
+    Held { found: Vec<(String, f64, String)> },
     /// Published results laid against ours: all, and those that do not hold.
     Published { all: usize, refuted: usize },
     /// The checks of the calculation.
@@ -68,6 +77,7 @@ impl Statement {
             Statement::Needed { delta, found } => {
                 !found.is_empty() && found.iter().all(|(_, value, _)| value.is_finite()) && delta.is_none_or(|d| d > 0.0 && d.is_finite())
             }
+            Statement::Held { found } => !found.is_empty() && found.iter().all(|(_, value, _)| value.is_finite()),
             Statement::Checks { all, failed } => *all > 0 && failed <= all,
             Statement::Published { all, refuted } => *all > 0 && refuted <= all,
         }
@@ -116,6 +126,10 @@ impl Statement {
                     .pick(format!("The irregularity of running is {delta}."), format!("Коэффициент неравномерности хода равен {delta}."))
             }
             Statement::Needed { delta, found } => needed(*delta, found, language),
+            Statement::Held { found } => {
+                let list = listed(found, language);
+                language.pick(format!("Reactions at rest: {list}."), format!("Реакции связей в покое: {list}."))
+            }
             Statement::Published { all, refuted } => published(*all, *refuted, language),
             Statement::Checks { all, failed: 0 } => {
                 language.pick(format!("All checks hold ({all})."), format!("Все проверки выполнены (всего {all})."))
@@ -128,11 +142,17 @@ impl Statement {
     }
 }
 
+/// `F_0 = 8999 N; ...`.
+fn listed(found: &[(String, f64, String)], language: Language) -> String {
+    let number = |x: f64| report::number::short(x, DIGITS, language);
+    let one = |(name, value, unit): &(String, f64, String)| format!("{name} = {}", report::number::with_unit(&number(*value), unit));
+    found.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
 /// What a cycle needs.
 fn needed(delta: Option<f64>, found: &[(String, f64, String)], language: Language) -> String {
     let number = |x: f64| report::number::short(x, DIGITS, language);
-    let one = |(name, value, unit): &(String, f64, String)| format!("{name} = {}", report::number::with_unit(&number(*value), unit));
-    let list = found.iter().map(one).collect::<Vec<_>>().join("; ");
+    let list = listed(found, language);
     match delta.map(number) {
         Some(delta) => language.pick(
             format!("The wanted irregularity {delta} needs {list}."),
@@ -209,6 +229,10 @@ fn of_study(work: &Work, results: &Results) -> Vec<Statement> {
             fact("period").zip(stable).map(|(period, stable)| Statement::Regime { period, stable }).into_iter().collect()
         }
         "cycle" => of_cycle(work, results),
+        "statics" => {
+            let unique = results.facts.iter().filter(|f| f.value.is_finite() && !f.quantity.name.contains(' '));
+            vec![Statement::Held { found: unique.take(HELD).map(|f| shown(work, f)).collect() }]
+        }
         "claims" => {
             let verdicts = results.own.get("claims").and_then(serde_json::Value::as_array).map(Vec::as_slice).unwrap_or_default();
             let refuted = verdicts.iter().filter(|v| v.get("ok").and_then(serde_json::Value::as_bool) != Some(true)).count();
@@ -218,17 +242,19 @@ fn of_study(work: &Work, results: &Results) -> Vec<Statement> {
     }
 }
 
+/// Symbol, value and unit of a fact.
+fn shown(work: &Work, fact: &crate::results::Fact) -> (String, f64, String) {
+    let scale = crate::results::tables::scale(&fact.quantity, fact.value.abs());
+    (report::symbol::plain(&fact.quantity.symbol, work.language), fact.value / scale.size, scale.print(work.language))
+}
+
 /// What was found of a cycle. A wanted irregularity is no result of the machine of the file, whose flywheel is another one.
 fn of_cycle(work: &Work, results: &Results) -> Vec<Statement> {
     let study = work.model.studies.iter().find(|s| s.kind == "cycle");
     let wanted = study.and_then(|s| s.number("irregularity"));
     let sought = ["unknown", "flywheel"].map(|key| study.and_then(|s| s.word(key)));
     let fact = |name: &str| results.facts.iter().find(|f| f.quantity.name == name);
-    let shown = |f: &crate::results::Fact| {
-        let scale = crate::results::tables::scale(&f.quantity, f.value.abs());
-        (report::symbol::plain(&f.quantity.symbol, work.language), f.value / scale.size, scale.print(work.language))
-    };
-    let found: Vec<_> = sought.into_iter().flatten().filter_map(fact).map(shown).collect();
+    let found: Vec<_> = sought.into_iter().flatten().filter_map(fact).map(|f| shown(work, f)).collect();
     let needed = (!found.is_empty()).then_some(Statement::Needed { delta: wanted, found });
     let own = fact("irregularity").filter(|_| wanted.is_none()).map(|f| Statement::Irregular { delta: f.value });
     needed.into_iter().chain(own).collect()

@@ -14,6 +14,9 @@ use symbolic::connections::{Law, Reaction, Rebound};
 use symbolic::equations::{Equality, Part, Step, StepFormula, StepName};
 use symbolic::{Expr, Node};
 
+/// Derivatives that vanish and are still named one by one.
+const FEW: usize = 6;
+
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     if work.is_machine() {
         pen.section(pen.word(Word::Kinetic), |pen| kinetic(work, pen));
@@ -302,6 +305,10 @@ fn derivatives(work: &Work, step: &Step, pen: &mut Pen) {
         pen.formula(fitted(&work.printer, work.own.step(graph, formula)));
     }
     if zero.is_empty() {
+        return;
+    }
+    if zero.len() > FEW {
+        pen.say(work.language.pick("All other derivatives are zero.", "Все остальные производные равны нулю."));
         return;
     }
     let mut pieces = vec![words(work.language.pick("The other derivatives vanish: ", "Остальные производные равны нулю: "))];

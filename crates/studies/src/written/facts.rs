@@ -237,6 +237,10 @@ impl Work<'_> {
 
     /// Springs, dampers and loads with their energy or virtual power.
     pub(super) fn elements(&self) -> Option<Table> {
+        // where nothing moves a load has no power
+        if self.equations.coordinates.is_empty() {
+            return None;
+        }
         let heads = [Word::Element, Word::Law].map(|w| Column::new(self.language.word(w)));
         let mut table = Table::new(heads.into());
         // the energy of a frame is no element of the file

@@ -201,6 +201,26 @@ impl Pen {
         self.blocks.push(scheme);
     }
 
+    /// Bodies released from their connections, behind the sentence that mentions them.
+    pub fn released(&mut self, run: Vec<Block>) {
+        let (first, last) = (self.figures + 1, self.figures + run.len());
+        self.figures = last;
+        let places = match (self.language, run.len()) {
+            (_, 0) => return,
+            (Language::En, 1) => format!("figure\u{a0}{first}"),
+            (Language::En, 2) => format!("figures\u{a0}{first} and\u{a0}{last}"),
+            (Language::En, _) => format!("figures\u{a0}{first}–{last}"),
+            (Language::Ru, 1) => format!("рисунке\u{a0}{first}"),
+            (Language::Ru, 2) => format!("рисунках\u{a0}{first} и\u{a0}{last}"),
+            (Language::Ru, _) => format!("рисунках\u{a0}{first}–{last}"),
+        };
+        self.say(self.language.pick(
+            format!("The bodies are released from their connections; the reactions that act on them are shown in {places} in their positive directions."),
+            format!("Освобождаем тела от связей; действующие на них реакции показаны в положительных направлениях на {places}."),
+        ));
+        self.blocks.extend(run);
+    }
+
     /// Pictures behind the sentence that mentions them.
     pub fn pictures(&mut self, run: Vec<Block>) {
         let (first, last) = (self.figures + 1, self.figures + run.len());

@@ -6,7 +6,7 @@ use super::wording::Word;
 use super::work::Work;
 use crate::results::Results;
 use report::table::Column;
-use report::{Cell, Table};
+use report::{Block, Cell, Table};
 use symbolic::equations::Output;
 
 /// Significant digits.
@@ -16,7 +16,14 @@ const NOISE: f64 = 1e-12;
 /// Switches that a table lists.
 const MOST: usize = 12;
 
+/// Bodies whose free-body diagrams are drawn.
+const FREE_BODIES: usize = 6;
+
 pub(super) fn write(work: &Work, pen: &mut Pen) {
+    let rests = work.results_of(Word::Reactions).any(|r| r.kind == "statics") && !work.equations.reactions.is_empty();
+    if rests || !reactions(work).is_empty() {
+        pen.released(free_bodies(work));
+    }
     super::studied::told(work, Word::Reactions, pen);
     let motions: Vec<&Results> = work.calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse")).collect();
     if let ([only], None) = (&motions[..], work.results_of(Word::Reactions).next()) {
@@ -26,6 +33,21 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
         let heading = work.text(&results.heading);
         pen.section(heading, |pen| of_motion(work, results, pen));
     }
+}
+
+/// Bodies on which a reaction acts that somebody asks for, each alone.
+fn free_bodies(work: &Work) -> Vec<Block> {
+    let machine = &work.calculation.machine;
+    let frames = machine.model.frames.iter().enumerate().filter(|(_, frame)| frame.is_body);
+    let drawn = frames.filter_map(|(i, frame)| {
+        let options = crate::scheme::Options { at: None, body: Some(frame.name.clone()) };
+        let mut scheme = crate::scheme::scheme(machine, &options, work.language)?;
+        let body = capital(&work.body(mechanics::model::FrameId(i)));
+        scheme.title = body.into();
+        let acting = scheme.items.iter().any(|item| item.symbol.name == "reaction");
+        acting.then_some(Block::Scheme(scheme))
+    });
+    drawn.take(FREE_BODIES).collect()
 }
 
 /// Outputs that contain a reaction or a drive.

@@ -44,7 +44,7 @@ impl Symbols {
     }
 
     /// Words with symbols among them.
-    fn split(&self, text: &str) -> Vec<Inline> {
+    pub fn split(&self, text: &str) -> Vec<Inline> {
         let text = without_commands(text);
         let (mut pieces, mut plain, mut rest) = (Vec::new(), String::new(), text.as_str());
         while !rest.is_empty() {

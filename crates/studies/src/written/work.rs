@@ -68,7 +68,7 @@ impl<'a> Work<'a> {
 
     /// Whether the machine has anything that moves or is held.
     pub fn is_machine(&self) -> bool {
-        !self.equations.coordinates.is_empty() || !self.equations.reactions.is_empty()
+        !self.equations.coordinates.is_empty()
     }
 
     pub fn text(&self, text: &'a words::Text) -> &'a str {

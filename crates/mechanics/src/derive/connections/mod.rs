@@ -8,8 +8,11 @@
 
 mod connected;
 mod free;
+mod letters;
 mod release;
 mod transmissions;
+
+pub(super) use letters::letters;
 
 pub use connected::Connected;
 

@@ -347,26 +347,29 @@ pub fn balance(
     let still: Vec<(SymbolId, Expr)> = model.coordinates.iter().map(|c| (c.symbols[2], zero)).collect();
     let without = Substitution::new(still).apply(&mut scene.graph, inertia);
     let rest = scene.graph.sub(applied, without);
-    let name = label(&model.frames[frame.index()].name, displacement);
+    let own = &model.frames[frame.index()];
+    let body = if own.label.en.is_empty() { Text::same(&own.name) } else { own.label.clone() };
+    let name = label(&body, displacement);
     connected.balances.push(Balance { name, columns, rest, carried: moving.then_some(carried) });
 }
 
-fn label(body: &str, displacement: &Displacement) -> Text {
+fn label(body: &Text, displacement: &Displacement) -> Text {
+    let (body, body_ru) = (&body.en, &body.ru);
     let axis = |a: &Axis| ["x", "y", "z"][a.index()];
     match displacement {
-        Displacement::Along(a) => Text::new(format!("{body}, forces along {}", axis(a)), format!("{body}, силы вдоль {}", axis(a))),
+        Displacement::Along(a) => Text::new(format!("{body}, forces along {}", axis(a)), format!("{body_ru}, силы вдоль {}", axis(a))),
         Displacement::With(_, reaction) => {
-            Text::new(format!("{body}, forces along {}", reaction.en), format!("{body}, силы вдоль {}", reaction.ru))
+            Text::new(format!("{body}, forces along {}", reaction.en), format!("{body_ru}, силы вдоль {}", reaction.ru))
         }
         Displacement::Turn(_, reaction) => {
-            Text::new(format!("{body}, moments about {}", reaction.en), format!("{body}, моменты относительно {}", reaction.ru))
+            Text::new(format!("{body}, moments about {}", reaction.en), format!("{body_ru}, моменты относительно {}", reaction.ru))
         }
-        Displacement::Own(..) => Text::new(format!("{body}, along its own displacement"), format!("{body}, на собственном перемещении")),
+        Displacement::Own(..) => Text::new(format!("{body}, along its own displacement"), format!("{body_ru}, на собственном перемещении")),
         Displacement::About(a) => {
             // a body's moments are taken about its origin
             Text::new(
                 format!("{body}, moments about {} at its origin", axis(a)),
-                format!("{body}, моменты относительно оси {} в начале координат тела", axis(a)),
+                format!("{body_ru}, моменты относительно оси {} в начале координат тела", axis(a)),
             )
         }
     }

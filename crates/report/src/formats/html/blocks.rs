@@ -64,7 +64,9 @@ impl Writer {
                 rest = others;
                 continue;
             }
-            self.push("<div class=\"figures\">\n");
+            // drawings without scales stay readable side by side on paper
+            let drawings = rest[..alike].iter().all(|b| matches!(b, Block::Scheme(_)));
+            self.push(if drawings { "<div class=\"figures drawings\">\n" } else { "<div class=\"figures\">\n" });
             rest[..alike].iter().for_each(|b| self.block(b));
             self.push("</div>\n");
             rest = &rest[alike..];
@@ -310,7 +312,7 @@ fn beside(document: &Document) -> Vec<(u8, String)> {
 /// Plots, and shapes of small motions: those that follow one another stand side by side where there is room.
 fn beside_one_another(block: &Block) -> bool {
     match block {
-        Block::Figure(_) => true,
+        Block::Figure(_) | Block::Scheme(_) => true,
         Block::Moving(moving) => moving.rest,
         _ => false,
     }
