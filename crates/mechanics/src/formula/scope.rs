@@ -10,6 +10,9 @@ use std::ops::Range;
 use symbolic::{Expr, SymbolId};
 use words::Notice;
 
+/// Names that may stand for the circular frequency of small motions; the first that the model does not use otherwise is meant.
+pub(crate) const FREQUENCIES: [&str; 3] = ["k", "omega", "ω"];
+
 /// A name of formulas.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {

@@ -1,7 +1,7 @@
 //! `[[claims]]`: published results. They may be wrong, also in their dimensions: that is a result and no error of the file.
 
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Kind, check};
+use crate::formula::{Context, Depends, Entry, EntryKind, FREQUENCIES, Kind, check};
 use crate::model::{ClaimDecl, ClaimInstant, ClaimKind};
 use crate::reader::{Checked, Fields, Raw, Reader, wrong_type};
 use crate::snippet::Snippet;
@@ -142,7 +142,7 @@ fn frequency_equation<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Optio
         );
         return None;
     }
-    let free = super::studies::FREQUENCIES.iter().find(|f| reader.scope.get(f).is_none()).copied().unwrap_or("omega");
+    let free = FREQUENCIES.iter().find(|f| reader.scope.get(f).is_none()).copied().unwrap_or("omega");
     let own = if formula.is_none() && unknown.is_some() { name.as_str() } else { free };
     let mut before = Vec::new();
     let frequency = covered(reader, (own, Kind::Known(Dimension::ANGULAR_RATE)), &mut before);

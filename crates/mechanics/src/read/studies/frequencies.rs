@@ -1,6 +1,6 @@
 //! Ranges, frequencies and the unknown of a frequency equation.
 
-use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
+use crate::formula::{Context, Depends, Entry, EntryKind, FREQUENCIES, Formula, Kind};
 use crate::model::FrequencyVariable;
 use crate::reader::syntax::Value;
 use crate::reader::{Fields, Reader, short, wrong_type};
@@ -9,9 +9,6 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 use symbolic::Rational;
 use words::Notice;
-
-/// Names that may stand for the frequency in `frequency_variable`; the first that the model does not use otherwise is meant.
-pub(in super::super) const FREQUENCIES: [&str; 3] = ["k", "omega", "ω"];
 
 /// `frequency_variable = { z = "m*l^3*k^2/(72*E*I)" }`.
 pub(super) fn variable<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<FrequencyVariable> {

@@ -7,8 +7,6 @@ mod plot;
 mod repeated;
 mod times;
 
-pub(super) use frequencies::FREQUENCIES;
-
 use crate::asked::{Asked, Choice, Key, Kind, Kinds, Like, Limits, Objection, Takes, Value, Written};
 use crate::formula::{Context, Kind as Sort};
 use crate::reader::names::names;
