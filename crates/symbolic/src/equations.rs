@@ -70,6 +70,49 @@ pub struct Equations {
 }
 
 impl Equations {
+    /// Equations in which nothing stands yet, over `graph`, with time `t` and room for n accelerations: what is written by hand begins with them.
+    pub fn empty(mut graph: Graph, n: usize) -> Equations {
+        let time = graph.symbol_id("t", 0);
+        let zero = graph.zero();
+        let mass = Matrix::zeros(&mut graph, n, n);
+        let energy = Energy {
+            kinetic: zero,
+            potential: zero,
+            dissipation: zero,
+            dissipated: zero,
+            rate: zero,
+            loads: zero,
+            drives: zero,
+            through: zero,
+        };
+        Equations {
+            graph,
+            title: Text::default(),
+            time,
+            coordinates: Vec::new(),
+            auxiliaries: Vec::new(),
+            parameters: Vec::new(),
+            starts: Vec::new(),
+            definitions: Vec::new(),
+            mass,
+            force: Vec::new(),
+            reactions: Vec::new(),
+            conditions: Vec::new(),
+            balances: Vec::new(),
+            released: Released::default(),
+            impacts: Impacts::default(),
+            textbook: Err(Text::default()),
+            steps: Vec::new(),
+            second: Vec::new(),
+            places: Vec::new(),
+            applied: Vec::new(),
+            energy,
+            outputs: Vec::new(),
+            notation: Vec::new(),
+            premises: Vec::new(),
+        }
+    }
+
     /// Coordinates less ideal conditions and taut ropes, as they stand: conditions that repeat others count too.
     pub fn degrees_of_freedom(&self) -> usize {
         let ideal = self.reactions.iter().filter(|r| r.law.holds()).count();

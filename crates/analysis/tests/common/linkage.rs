@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use analysis::Machine;
 use symbolic::connections::{Condition, Friction, Law, Reaction};
-use symbolic::equations::{Coordinate, Energy, Output, Role};
+use symbolic::equations::{Coordinate, Output, Role};
 use symbolic::{Derivation, Equations, Expr, Function, Graph, Matrix, Rational};
 use words::Text;
 
@@ -16,47 +16,7 @@ pub struct Build {
 
 impl Build {
     pub fn new() -> Build {
-        let mut graph = Graph::new();
-        let (time, zero) = (graph.symbol_id("t", 0), graph.zero());
-        let mass = Matrix::zeros(&mut graph, 0, 0);
-        let energy = Energy {
-            kinetic: zero,
-            potential: zero,
-            dissipation: zero,
-            dissipated: zero,
-            rate: zero,
-            loads: zero,
-            drives: zero,
-            through: zero,
-        };
-        Build {
-            e: Equations {
-                graph,
-                title: Text::same("linkage"),
-                time,
-                coordinates: vec![],
-                auxiliaries: vec![],
-                parameters: vec![],
-                starts: vec![],
-                definitions: vec![],
-                mass,
-                force: vec![],
-                reactions: vec![],
-                applied: vec![],
-                conditions: vec![],
-                balances: vec![],
-                released: Default::default(),
-                impacts: Default::default(),
-                textbook: Err(Text::default()),
-                steps: vec![],
-                second: vec![],
-                places: vec![],
-                energy,
-                outputs: vec![],
-                notation: vec![],
-                premises: vec![],
-            },
-        }
+        Build { e: Equations { title: Text::same("linkage"), ..Equations::empty(Graph::new(), 0) } }
     }
 
     pub fn number(&mut self, value: f64) -> Expr {

@@ -4,49 +4,12 @@
 use std::sync::Arc;
 
 use analysis::Machine;
-use symbolic::equations::{Coordinate, Energy, Output, Parameter, Role};
+use symbolic::equations::{Coordinate, Output, Parameter, Role};
 use symbolic::{Edge, Equations, Expr, Function, Graph, Matrix, Rational};
 use words::Text;
 
 fn blank(graph: Graph) -> Equations {
-    let mut graph = graph;
-    let (time, zero) = (graph.symbol_id("t", 0), graph.zero());
-    let mass = Matrix::zeros(&mut graph, 3, 3);
-    Equations {
-        graph,
-        title: Text::same("P3"),
-        time,
-        coordinates: vec![],
-        auxiliaries: vec![],
-        parameters: vec![],
-        starts: vec![],
-        definitions: vec![],
-        mass,
-        force: vec![],
-        reactions: Vec::new(),
-        conditions: Vec::new(),
-        balances: Vec::new(),
-        released: Default::default(),
-        impacts: Default::default(),
-        textbook: Err(Text::default()),
-        steps: vec![],
-        second: vec![],
-        places: vec![],
-        applied: vec![],
-        energy: Energy {
-            kinetic: zero,
-            potential: zero,
-            dissipation: zero,
-            dissipated: zero,
-            rate: zero,
-            loads: zero,
-            drives: zero,
-            through: zero,
-        },
-        outputs: vec![],
-        notation: vec![],
-        premises: vec![],
-    }
+    Equations { title: Text::same("P3"), ..Equations::empty(graph, 3) }
 }
 
 /// The machine for a pendulum of mass m.

@@ -3,51 +3,13 @@
 
 pub mod mechanisms;
 
-use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Output, Parameter, Role};
+use symbolic::equations::{Auxiliary, Coordinate, Definition, Output, Parameter, Role};
 use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, SymbolId};
 use words::Text;
 
 /// Equations without coordinates, over `graph`, with time `t`.
-pub fn empty(mut graph: Graph) -> Equations {
-    let time = graph.symbol_id("t", 0);
-    let zero = graph.zero();
-    let mass = Matrix::zeros(&mut graph, 0, 0);
-    let energy = Energy {
-        kinetic: zero,
-        potential: zero,
-        dissipation: zero,
-        dissipated: zero,
-        rate: zero,
-        loads: zero,
-        drives: zero,
-        through: zero,
-    };
-    Equations {
-        graph,
-        title: Text::default(),
-        time,
-        coordinates: vec![],
-        auxiliaries: vec![],
-        parameters: vec![],
-        starts: vec![],
-        definitions: vec![],
-        mass,
-        force: vec![],
-        reactions: Vec::new(),
-        conditions: Vec::new(),
-        balances: Vec::new(),
-        released: Default::default(),
-        impacts: Default::default(),
-        textbook: Err(Text::default()),
-        steps: vec![],
-        second: vec![],
-        places: vec![],
-        applied: vec![],
-        energy,
-        outputs: vec![],
-        notation: vec![],
-        premises: vec![],
-    }
+pub fn empty(graph: Graph) -> Equations {
+    Equations::empty(graph, 0)
 }
 
 pub fn parameter(e: &mut Equations, name: &str, value: f64) -> Expr {

@@ -4,7 +4,7 @@ use super::random::{arity_holds, well_formed};
 use super::reading::read;
 use crate::formula::{Form, Placement, Printer};
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Parameter, StepFormula, StepName};
-use symbolic::{Equations, Expr, Graph, Matrix};
+use symbolic::{Equations, Expr, Graph};
 use words::{Language, Text};
 
 fn parameter(graph: &mut Graph, name: &str, unit: &str) -> Parameter {
@@ -26,51 +26,24 @@ fn definition(graph: &mut Graph, name: &str, formula: &str, unit: &str) -> Defin
 fn machine() -> Equations {
     let mut graph = Graph::new();
     let zero = graph.zero();
-    let nothing = Text::default;
     let names = [("l", "m"), ("g", "m/s^2"), ("e", "m"), ("mu", "1"), ("mass", "kg"), ("c", "N/m"), ("k", "N m s")];
     let parameters = names.map(|(name, unit)| parameter(&mut graph, name, unit)).to_vec();
     let coordinates = ["x", "phi"].map(|name| coordinate(&mut graph, name)).to_vec();
-    let time = graph.symbol_id("t", 0);
     let definitions = vec![definition(&mut graph, "omega", "30*t", "rad/s"), definition(&mut graph, "J", "mass*l^2", "kg m^2")];
     let psi = graph.symbol_id("psi", 0);
     let rate = graph.var("omega");
-    let auxiliaries = vec![Auxiliary { symbol: psi, unit: "rad".into(), label: nothing(), rate, start: zero }];
-    let energy = Energy {
-        kinetic: zero,
-        potential: zero,
-        dissipation: zero,
-        dissipated: zero,
-        rate: zero,
-        loads: zero,
-        drives: zero,
-        through: zero,
-    };
-    let mass = Matrix::zeros(&mut graph, 2, 2);
+    let auxiliaries = vec![Auxiliary { symbol: psi, unit: "rad".into(), label: Text::default(), rate, start: zero }];
+    let notation = vec![("mass".into(), "m".into())];
     Equations {
-        graph,
-        title: nothing(),
-        time,
         coordinates,
         auxiliaries,
         parameters,
-        starts: vec![],
         definitions,
-        mass,
         force: vec![zero; 2],
-        reactions: Vec::new(),
-        conditions: Vec::new(),
-        balances: Vec::new(),
-        released: Default::default(),
-        impacts: Default::default(),
         textbook: Ok(vec![]),
-        steps: vec![],
         second: vec![zero; 2],
-        places: vec![],
-        applied: vec![],
-        energy,
-        outputs: vec![],
-        notation: vec![("mass".into(), "m".into())],
-        premises: vec![],
+        notation,
+        ..Equations::empty(graph, 2)
     }
 }
 
