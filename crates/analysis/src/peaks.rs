@@ -44,6 +44,26 @@ pub fn refine(power: &mut dyn FnMut(f64) -> f64, low: f64, high: f64, sign: f64)
     Peak { omega, amplitude: power(omega).max(0.0).sqrt(), width }
 }
 
+/// Where a function with one hump between the ends is largest, by golden section: to the square root of rounding.
+pub fn highest(function: &mut dyn FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut a, mut b) = (low, high);
+    let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
+    let (mut fx, mut fy) = (function(x), function(y));
+    while b - a > 1e-9 * (high - low) && x > a && y < b {
+        if fx >= fy {
+            (b, y, fy) = (y, x, fx);
+            x = b - ratio * (b - a);
+            fx = function(x);
+        } else {
+            (a, x, fx) = (x, y, fy);
+            y = a + ratio * (b - a);
+            fy = function(y);
+        }
+    }
+    0.5 * (a + b)
+}
+
 /// √|P/P''|, with a step that shrinks until the three values lie on a parabola.
 fn curvature_width(power: &mut dyn FnMut(f64) -> f64, at: f64, first: f64) -> f64 {
     let middle = power(at);

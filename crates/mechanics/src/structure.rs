@@ -40,6 +40,8 @@ pub struct AssumedShape {
     pub rod: usize,
     /// Deflection over the distance from the start, up to a factor.
     pub shape: Expr,
+    /// Its first derivative.
+    pub slope: Expr,
     /// Its second derivative.
     pub curvature: Expr,
     /// The distance in it.

@@ -12,7 +12,7 @@ use studies::pipeline::{self, Calculation};
 use studies::variants::cell::{self, Written};
 use studies::variants::grade::{Graded, Pupil, grade};
 use studies::variants::key::{Entry, Key, quoted};
-use studies::variants::overview::reason;
+use studies::variants::solve::reason;
 use studies::variants::{Class, Member, guards, quiz, sheet, solve};
 use studies::{Failure, Source, Watch};
 use words::{Language, Notice, Text};

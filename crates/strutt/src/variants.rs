@@ -83,7 +83,7 @@ pub fn members(model: &Model, source: &Source, group: Option<u32>) -> Result<Mem
             let row = row(model, variants, &table, at).map_err(|fault| misfit(&place, fault))?;
             Ok(member(model, variants, name, (row, group))?)
         };
-        (name.to_owned(), fits().map_err(studies::variants::overview::reason))
+        (name.to_owned(), fits().map_err(studies::variants::solve::reason))
     };
     Ok((0..table.rows.len()).map(one).collect())
 }

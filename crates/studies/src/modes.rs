@@ -7,7 +7,8 @@ use crate::machine::Machine;
 use crate::results::finite::checked;
 use crate::small::asked::Modes;
 use crate::watch::{Lap, Watch};
-use mechanics::asked::{Asked, Choice, Key, Kind, Takes};
+use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes};
+use words::Text;
 use words::explain::{Explanation, row};
 
 static ABOUT: Choice = Choice {
@@ -113,10 +114,26 @@ static KIND: Kind =
                 "{ z = \"m*k^2/c\" }",
             ),
         ])
-        .check(|asked| match asked.get("over").is_some() && !asked.has("range") {
-            true => vec![no_range("[\"0 rad/s\", \"300 rad/s\"]")],
-            false => Vec::new(),
+        .check(|asked| {
+            let lost = asked.get("over").is_some() && !asked.has("range");
+            let range = lost.then(|| no_range("[\"0 rad/s\", \"300 rad/s\"]"));
+            range.into_iter().chain(of_rest_alone(asked)).collect()
         });
+
+/// Keys that the motion at the start has no use for.
+fn of_rest_alone(asked: &Asked) -> Vec<Objection> {
+    let idle = ["over", "range", "points", "guess", "frequency_variable"].into_iter().filter(|key| asked.has(key));
+    let about_start = asked.word("about") == Some("start");
+    let one = |key: &'static str| {
+        let what = format!("`{key}` goes with a place of rest, not with about = \"start\"");
+        let text = Text::new(what, format!("ключ `{key}` относится к положению покоя, а не к about = \"start\""));
+        Objection::at(key, "M071", &text.en, &text.ru).help(
+            "leave it out; for several values of a parameter run the study once for each by --set",
+            "уберите его; для нескольких значений параметра повторите расчёт с --set",
+        )
+    };
+    idle.filter(|_| about_start).map(one).collect()
+}
 
 impl Study for Natural {
     fn explanations(&self) -> &'static [Explanation] {

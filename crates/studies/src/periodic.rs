@@ -100,9 +100,17 @@ static KIND: Kind = Kind::new(
     TURNS,
     PERIOD,
     SETTLE,
-    Key::new("unknown", Takes::Sought, ("parameter found from the wanted period", "искомый параметр: по нужному периоду"), "\"F0\"")
-        .option("Parameter that is changed until the period is the wanted one", "Параметр, который меняется, пока период не станет нужным")
-        .needs("wanted_period"),
+    Key::new(
+        "unknown",
+        Takes::Sought,
+        (
+            "parameter found from the wanted period; the value holds for this study alone",
+            "искомый параметр: по нужному периоду; найденное значение действует только в этом расчёте",
+        ),
+        "\"F0\"",
+    )
+    .option("Parameter that is changed until the period is the wanted one", "Параметр, который меняется, пока период не станет нужным")
+    .needs("wanted_period"),
     Key::new(
         "wanted_period",
         Takes::Duration,
@@ -155,7 +163,10 @@ impl Study for Regimes {
         &KIND
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
-        Some(exact(machine, &Periodic::of(asked), watch))
+        let study = Periodic::of(asked);
+        // what is tuned is this study's machine, not that of the studies behind it
+        let mut own = study.tuned.is_some().then(|| machine.clone());
+        Some(exact(own.as_mut().unwrap_or(machine), &study, watch))
     }
     /// What the file says, changed by the command line; a turn or a return found by itself when nobody says what a period is.
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {

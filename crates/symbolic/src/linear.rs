@@ -143,6 +143,8 @@ pub struct LinearOutput {
     pub waves: Vec<crate::harmonics::Wave>,
     /// Waveforms by index, with their factors.
     pub forms: Vec<(usize, Expr)>,
+    /// What oscillates in the slopes: level (by q, by q', by q''), coordinate, an amplitude.
+    pub swings: Vec<(usize, usize, Expr)>,
     /// Whether it had to be taken at t = 0.
     pub frozen: bool,
 }
@@ -390,11 +392,7 @@ impl Linear {
         };
         let mut rest = Substitution::new(rates);
         let stills = &mut self.stills;
-        let mut parts = |graph: &mut Graph, h: &Harmonics| -> Vec<Expr> {
-            let waves = h.waves.iter().flat_map(|w| [(w.rate, w.cos), (w.rate, w.sin)]);
-            let all: Vec<(Expr, Expr)> = waves.chain(h.forms.iter().map(|(form, factor)| (form.rate, *factor))).collect();
-            all.into_iter().map(|(rate, e)| stills.moving(graph, rate, e)).collect()
-        };
+        let mut parts = |graph: &mut Graph, h: &Harmonics| moving_parts(graph, stills, h);
         let mut found: Vec<(usize, Expr)> = Vec::new();
         for (entry, mass) in masses.iter().enumerate() {
             found.extend(parts(graph, mass).into_iter().map(|e| (entry, rest.apply(graph, e))));
@@ -440,8 +438,18 @@ impl Linear {
         let waves: Vec<crate::harmonics::Wave> = waves.collect();
         let form = |(wave, factor): &(Waveform, Expr)| (known(graph, &mut self.forms, *wave), rest.apply(graph, *factor));
         let forms = harmonics.forms.iter().map(form).collect();
+        let mut swings = Vec::new();
+        for part in moving_parts(graph, &mut self.stills, &harmonics) {
+            for (j, symbols) in self.coordinates.iter().enumerate() {
+                for (level, symbol) in symbols.iter().enumerate() {
+                    let slope = graph.derivative(part, *symbol);
+                    swings.push((level, j, rest.apply(graph, slope)));
+                }
+            }
+        }
+        swings.retain(|(.., e)| !graph.is_zero(*e));
         self.define_stills();
-        LinearOutput { whole: average, mean, by_place, by_rate, by_acceleration, waves, forms, frozen: timing.frozen }
+        LinearOutput { whole: average, mean, by_place, by_rate, by_acceleration, waves, forms, swings, frozen: timing.frozen }
     }
 
     /// Generalized forces of the equations (index of a coordinate, force) at rest, with the time in them.
@@ -672,6 +680,13 @@ impl Stills {
         let factor = graph.sub(one, still);
         graph.mul(e, factor)
     }
+}
+
+/// Amplitudes of what oscillates in a formula.
+fn moving_parts(graph: &mut Graph, stills: &mut Stills, h: &Harmonics) -> Vec<Expr> {
+    let waves = h.waves.iter().flat_map(|w| [(w.rate, w.cos), (w.rate, w.sin)]);
+    let all: Vec<(Expr, Expr)> = waves.chain(h.forms.iter().map(|(form, factor)| (form.rate, *factor))).collect();
+    all.into_iter().map(|(rate, e)| stills.moving(graph, rate, e)).collect()
 }
 
 /// 1 where a rate is zero, a difference to twelve digits, else 0.

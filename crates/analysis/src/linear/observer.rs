@@ -19,25 +19,32 @@ pub struct Observer {
     rows: Vec<usize>,
     /// Waveforms of each formula.
     forms: Vec<Vec<usize>>,
-    /// Whether a formula had to be taken at t = 0.
-    pub frozen: bool,
+    /// Formulas that had to be taken at t = 0: they change with time and do not repeat.
+    pub frozen: Vec<usize>,
     /// Rows for the reactions in them.
     reactions: Option<Reactions>,
     /// Waveforms known to the tape.
     known: usize,
+    /// Under a load alone: the formulas that depend on time by themselves. What they do so (the motion of a base) is no effect of the load, and is left out.
+    pub timed: Option<Vec<usize>>,
+    /// What oscillates in the slopes of each formula: level, coordinate.
+    swings: Vec<Vec<(usize, usize)>>,
 }
 
 impl LinearMachine {
-    /// An observer of formulas of the equations near the state. Reactions in them are those under the loads of the equations, or under a load alone.
+    /// An observer of formulas of the equations near the state, under the loads of the equations or under a load alone.
     ///
     /// *Errors*: a formula that cannot be lowered.
     pub fn observer(&mut self, formulas: &[Expr], load: Option<&LoadParts>) -> Result<Observer, Fault> {
         let reactions = self.rows_of_reactions(formulas, load)?;
         let mut roots = Vec::new();
-        let (mut rows, mut forms, mut frozen) = (Vec::new(), Vec::new(), false);
+        let (mut rows, mut forms, mut frozen) = (Vec::new(), Vec::new(), Vec::new());
+        let mut swings: Vec<Vec<(usize, usize)>> = Vec::new();
         for (k, formula) in formulas.iter().enumerate() {
             let output = self.linear.output(&self.equations, *formula);
-            frozen |= output.frozen;
+            if output.frozen {
+                frozen.push(k);
+            }
             let mut push = |what: &str, e: Expr| roots.push((format!("output {} {what}", k + 1), e));
             push("mean", output.mean);
             output.by_place.iter().for_each(|e| push("by q", *e));
@@ -49,13 +56,17 @@ impl LinearMachine {
                 push("sin", wave.sin);
             }
             output.forms.iter().for_each(|(_, factor)| push("factor", *factor));
+            output.swings.iter().for_each(|(.., e)| push("swing", *e));
+            swings.push(output.swings.iter().map(|(level, j, _)| (*level, *j)).collect());
             rows.push(output.waves.len());
-            forms.push(output.forms.iter().map(|f| f.0).collect());
+            forms.push(output.forms.iter().map(|f| f.0).collect::<Vec<usize>>());
         }
+        let timed = |k: &usize| rows[*k] > 0 || !forms[*k].is_empty();
+        let timed: Option<Vec<usize>> = load.map(|_| (0..formulas.len()).filter(timed).collect());
         self.learn()?;
         let inputs = if reactions.is_some() { self.with_reactions() } else { self.inputs.clone() };
         let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &inputs, &roots)?);
-        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len() })
+        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len(), timed, swings })
     }
 
     /// Formulas of the equations without what time alone does to them, as functions of the whole state; zero for those over reactions.
@@ -84,6 +95,11 @@ impl LinearMachine {
         Ok(out)
     }
 
+    /// Whether slopes of its formulas, or of the rows of their reactions, may oscillate in time.
+    pub fn swings(&self, observer: &Observer) -> bool {
+        observer.swings.iter().any(|s| !s.is_empty()) || observer.reactions.as_ref().is_some_and(Reactions::swing)
+    }
+
     /// What an observer sees at a place, with the parameters as they are now.
     ///
     /// *Errors*: an output has no finite value there.
@@ -108,21 +124,28 @@ impl LinearMachine {
         };
         // a difference of terms that is rounding is zero
         let mut first = 0;
-        let mut mean = |harmonics: usize, forms: usize| {
+        let mut mean = |further: usize| {
             let at = first;
-            first += 1 + 3 * n + 3 * harmonics + forms;
+            first += 1 + 3 * n + further;
             if values[at].abs() <= bounds[at] { 0.0 } else { values[at] }
         };
-        let seen = observer.rows.iter().zip(&observer.forms).map(|(waves, forms)| Seen {
-            mean: (take(1), mean(*waves, forms.len())).1,
-            by_place: take(n),
-            by_rate: take(n),
-            by_acceleration: take(n),
-            waves: (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect(),
-            forms: forms.iter().map(|form| (*form, take(1)[0])).collect(),
-            constant: 0.0,
+        let seen = observer.rows.iter().zip(&observer.forms).zip(&observer.swings).map(|((waves, forms), swings)| {
+            let mut seen = Seen {
+                mean: (take(1), mean(3 * waves + forms.len() + swings.len())).1,
+                by_place: take(n),
+                by_rate: take(n),
+                by_acceleration: take(n),
+                waves: (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect(),
+                forms: forms.iter().map(|form| (*form, take(1)[0])).collect(),
+                ..Seen::default()
+            };
+            swings.iter().for_each(|at| seen.swing(*at, take(1)[0]));
+            seen
         });
         let mut seen: Vec<Seen> = seen.collect();
+        for k in observer.timed.iter().flatten() {
+            (seen[*k].waves, seen[*k].forms) = Default::default();
+        }
         if let Some(prepared) = &observer.reactions {
             self.add_reactions(prepared, place, &reactions, &mut seen)?;
         }

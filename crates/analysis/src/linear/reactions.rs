@@ -27,7 +27,9 @@ use words::Text;
 use super::machine::{LinearMachine, Place};
 use super::seen::Seen;
 use crate::Fault;
+use algebra::elementary;
 use algebra::qr::{DEPENDENT, Qr};
+use symbolic::linear::LinearOutput;
 
 /// Entries of the rows below this many bounds of their rounding are zero.
 const SURE: f64 = 16.0;
@@ -52,10 +54,14 @@ pub(super) struct Reactions {
     forms: usize,
     /// (row, unknown) of the entries of A.
     entries: Vec<(usize, usize)>,
+    /// Number of amplitudes of what oscillates in each entry.
+    pulses: Vec<usize>,
     /// Harmonics and waveforms of each row's load.
     waves: Vec<(usize, Vec<usize>)>,
-    /// (output, reaction) of the slopes ∂y/∂λ.
-    slopes: Vec<(usize, usize)>,
+    /// What oscillates in each row's slopes: level, coordinate.
+    swings: Vec<Vec<(usize, usize)>>,
+    /// (output, reaction) of the slopes ∂y/∂λ, and the number of amplitudes of what oscillates in each.
+    slopes: Vec<(usize, usize, usize)>,
     /// Where the rows' loads come from.
     named: bool,
 }
@@ -71,6 +77,8 @@ struct Row {
     load: f64,
     waves: Vec<(f64, f64, f64)>,
     forms: Vec<(usize, f64)>,
+    /// Level, coordinate and amplitude of what oscillates in the slopes.
+    swings: Vec<(usize, usize, f64)>,
 }
 
 /// Reactions near the state: values, and what a unit of each row gives to each.
@@ -124,14 +132,15 @@ impl LinearMachine {
         let n = equations.coordinates.len();
         let rows = n + equations.balances.len();
         let mut roots: Vec<(String, Expr)> = Vec::new();
-        let mut entries = Vec::new();
+        let (mut entries, mut pulses) = (Vec::new(), Vec::new());
         let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); rows];
         for (k, r) in unknowns.iter().enumerate() {
             let reaction = &equations.reactions[*r];
             let places = reaction.forces.iter().map(|(i, e)| (*i, *e)).chain(reaction.released.iter().map(|(b, e)| (n + b, *e)));
             for (row, e) in places {
-                let entry = self.linear.output(&equations, e).mean;
-                roots.push((format!("A {row} {k}"), entry));
+                let entry = self.linear.output(&equations, e);
+                roots.push((format!("A {row} {k}"), entry.mean));
+                pulses.push(push_pulses(&mut roots, &entry));
                 entries.push((row, k));
                 let graph = &mut self.linear.graph;
                 let symbol = graph.symbol(reaction.symbol);
@@ -140,13 +149,15 @@ impl LinearMachine {
             }
         }
         self.add_balances(&mut sums);
-        let mut waves = Vec::new();
+        let (mut waves, mut swings) = (Vec::new(), Vec::new());
         for (row, sum) in sums.iter().enumerate() {
             let formula = self.linear.graph.sum(sum);
             let own = self.linear.output(&equations, formula);
             roots.push((format!("row {row}"), own.mean));
             let by = own.by_place.iter().chain(&own.by_rate).chain(&own.by_acceleration);
             roots.extend(by.map(|e| (format!("row {row}"), *e)));
+            roots.extend(own.swings.iter().map(|(.., e)| (format!("swing {row}"), *e)));
+            swings.push(own.swings.iter().map(|(level, j, _)| (*level, *j)).collect());
             let excited = match load {
                 None => own,
                 Some(parts) => {
@@ -168,7 +179,18 @@ impl LinearMachine {
         self.learn()?;
         let inputs = self.with_reactions();
         let tape = Arc::new(lower::expressions(&self.linear.graph, "reactions", &inputs, &roots)?);
-        Ok(Some(Reactions { unknowns, rows, tape, forms: self.shapes.len(), entries, waves, slopes, named: load.is_some() }))
+        Ok(Some(Reactions {
+            unknowns,
+            rows,
+            tape,
+            forms: self.shapes.len(),
+            entries,
+            pulses,
+            waves,
+            swings,
+            slopes,
+            named: load.is_some(),
+        }))
     }
 
     /// Adds the inertia and the loads of each equation of motion and of each balance to its sum.
@@ -195,15 +217,16 @@ impl LinearMachine {
     }
 
     /// How formulas depend on reactions: (formula, reaction), each with a root of its own.
-    fn slopes_by_reactions(&mut self, formulas: &[Expr], roots: &mut Vec<(String, Expr)>) -> Vec<(usize, usize)> {
+    fn slopes_by_reactions(&mut self, formulas: &[Expr], roots: &mut Vec<(String, Expr)>) -> Vec<(usize, usize, usize)> {
         let equations = Arc::clone(&self.equations);
         let mut slopes = Vec::new();
         for (output, formula) in formulas.iter().enumerate() {
             for (r, reaction) in equations.reactions.iter().enumerate() {
                 let slope = self.linear.graph.derivative(*formula, reaction.symbol);
                 if !self.linear.graph.is_zero(slope) {
-                    roots.push((format!("slope {output}"), self.linear.output(&equations, slope).mean));
-                    slopes.push((output, r));
+                    let slope = self.linear.output(&equations, slope);
+                    roots.push((format!("slope {output}"), slope.mean));
+                    slopes.push((output, r, push_pulses(roots, &slope)));
                 }
             }
         }
@@ -235,7 +258,7 @@ impl LinearMachine {
     /// Values of all reactions at a place of rest; zero for those that do not act there.
     pub(super) fn reactions_at(&self, prepared: &Reactions, place: &Place) -> Result<Vec<f64>, Fault> {
         let nothing = vec![0.0; self.equations.reactions.len()];
-        let (matrix, rows, _) = self.evaluate_rows(prepared, place, &nothing)?;
+        let Evaluated { matrix, rows, .. } = self.evaluate_rows(prepared, place, &nothing)?;
         let solved = Solved::new(prepared, &matrix, &rows);
         let mut values = nothing;
         prepared.unknowns.iter().zip(&solved.values).for_each(|(r, v)| values[*r] = *v);
@@ -244,15 +267,16 @@ impl LinearMachine {
 
     /// Adds to outputs what they have by the reactions in them.
     pub(super) fn add_reactions(&self, prepared: &Reactions, place: &Place, values: &[f64], seen: &mut [Seen]) -> Result<(), Fault> {
-        let (matrix, rows, slopes) = self.evaluate_rows(prepared, place, values)?;
+        let Evaluated { matrix, rows, slopes, pulses } = self.evaluate_rows(prepared, place, values)?;
         let solved = Solved::new(prepared, &matrix, &rows);
         for (output, y) in seen.iter_mut().enumerate() {
             let mut share = vec![0.0; prepared.unknowns.len()];
-            for ((_, r), slope) in prepared.slopes.iter().zip(&slopes).filter(|((o, _), _)| *o == output) {
+            for ((_, r, _), (slope, pulse)) in prepared.slopes.iter().zip(&slopes).filter(|((o, ..), _)| *o == output) {
                 let Some(k) = prepared.unknowns.iter().position(|u| u == r) else {
                     return Err(without_amplitude(&self.equations.reactions[*r].name, Why::LeftOut));
                 };
                 share[k] += slope;
+                solved.swing((k, *pulse), &rows, y);
             }
             if share.iter().all(|s| *s == 0.0) {
                 continue;
@@ -269,6 +293,9 @@ impl LinearMachine {
                     }
                 }
                 doubt.add(row, terms);
+                for ((_, k), pulse) in prepared.entries.iter().zip(&pulses).filter(|((r, _), p)| *r == i && **p > 0.0) {
+                    solved.swing((*k, gain * pulse), &rows, y);
+                }
             }
             doubt.settle(y);
         }
@@ -287,30 +314,60 @@ impl LinearMachine {
             (&found[at - count..at], &bounds[at - count..at])
         };
         let mut matrix = vec![0.0; prepared.rows * k];
-        for (row, column) in &prepared.entries {
+        let mut entry_pulses = Vec::with_capacity(prepared.entries.len());
+        for ((row, column), pulses) in prepared.entries.iter().zip(&prepared.pulses) {
             let (value, rounding) = take(1);
             // an entry that may be rounding is zero: rows and columns are scaled, and one of nothing but rounding would become an equation
             if value[0].abs() > SURE * rounding[0] {
                 matrix[row * k + column] += value[0];
             }
+            entry_pulses.push(sum_of_sizes(take(*pulses).0));
         }
         let mut rows = Vec::with_capacity(prepared.rows);
-        for (waves, forms) in &prepared.waves {
+        for ((waves, forms), swings) in prepared.waves.iter().zip(&prepared.swings) {
             let (mean, rounding) = take(1);
             let mean = if mean[0].abs() <= rounding[0] { 0.0 } else { mean[0] };
             let slopes = [take(n), take(n), take(n)];
+            let swings = swings.iter().map(|(level, j)| (*level, *j, take(1).0[0])).collect();
             let load = take(1).0[0];
             let waves = (0..*waves).map(|_| take(3).0).map(|w| (w[0], w[1], w[2])).collect();
             let forms = forms.iter().map(|form| (*form, take(1).0[0])).collect();
-            rows.push(Row { mean, by: slopes.map(|s| s.0.to_vec()), roundings: slopes.map(|s| s.1.to_vec()), load, waves, forms });
+            rows.push(Row { mean, by: slopes.map(|s| s.0.to_vec()), roundings: slopes.map(|s| s.1.to_vec()), load, waves, forms, swings });
         }
-        let slopes = take(prepared.slopes.len()).0.to_vec();
-        Ok((matrix, rows, slopes))
+        let slopes = prepared.slopes.iter().map(|(.., pulses)| (take(1).0[0], sum_of_sizes(take(*pulses).0))).collect();
+        Ok(Evaluated { matrix, rows, slopes, pulses: entry_pulses })
     }
 }
 
-/// The matrix of the balances, their rows, the slopes of the unknowns.
-type Evaluated = (Vec<f64>, Vec<Row>, Vec<f64>);
+/// Roots for what oscillates in a factor; how many.
+fn push_pulses(roots: &mut Vec<(String, Expr)>, factor: &LinearOutput) -> usize {
+    let waves = factor.waves.iter().flat_map(|w| [w.cos, w.sin]);
+    let all: Vec<Expr> = waves.chain(factor.forms.iter().map(|f| f.1)).collect();
+    roots.extend(all.iter().map(|e| ("pulse".to_owned(), *e)));
+    all.len()
+}
+
+fn sum_of_sizes(values: &[f64]) -> f64 {
+    values.iter().map(|v| v.abs()).sum()
+}
+
+/// The balances near a state.
+struct Evaluated {
+    /// A.
+    matrix: Vec<f64>,
+    rows: Vec<Row>,
+    /// Slopes of the outputs by the unknowns, and the amplitude of what oscillates in each.
+    slopes: Vec<(f64, f64)>,
+    /// The same of the entries of A.
+    pulses: Vec<f64>,
+}
+
+impl Reactions {
+    /// Whether anything in the balances, or in the slopes by reactions, may oscillate.
+    pub(super) fn swing(&self) -> bool {
+        self.pulses.iter().any(|k| *k > 0) || self.swings.iter().any(|s| !s.is_empty()) || self.slopes.iter().any(|s| s.2 > 0)
+    }
+}
 
 /// Bounds of the rounding in the slopes of an output.
 struct Doubt([Vec<f64>; 3]);
@@ -349,6 +406,7 @@ impl Row {
         }
         y.waves.extend(self.waves.iter().map(|(rate, c, s)| (*rate, gain * c, gain * s)));
         y.forms.extend(self.forms.iter().map(|(form, factor)| (*form, gain * factor)));
+        self.swings.iter().for_each(|(level, j, amplitude)| y.swing((*level, *j), gain * amplitude));
     }
 }
 
@@ -378,6 +436,23 @@ impl Solved {
         let values = (0..k).map(value).collect();
         let unscaled = |v: Vec<f64>| v.iter().zip(&widths).map(|(v, w)| v / w).collect();
         Solved { values, inverse, open: qr.null_space().into_iter().map(unscaled).collect() }
+    }
+
+    /// Adds to an output what a factor of the unknown k that oscillates with an amplitude makes of its change.
+    fn swing(&self, (k, amplitude): (usize, f64), rows: &[Row], y: &mut Seen) {
+        if amplitude == 0.0 {
+            return;
+        }
+        let mut change = Seen { by_place: vec![0.0; y.by_place.len()], ..Seen::default() };
+        (change.by_rate, change.by_acceleration) = (change.by_place.clone(), change.by_place.clone());
+        let gains = &self.inverse[k * rows.len()..(k + 1) * rows.len()];
+        rows.iter().zip(gains).filter(|(_, gain)| **gain != 0.0).for_each(|(row, gain)| row.add(*gain, &mut change));
+        for (level, slopes) in [&change.by_place, &change.by_rate, &change.by_acceleration].into_iter().enumerate() {
+            slopes.iter().enumerate().filter(|(_, v)| **v != 0.0).for_each(|(j, v)| y.swing((level, j), amplitude * v));
+        }
+        let waves = change.waves.iter().map(|(_, c, s)| elementary::hypot(*c, *s));
+        let forms = change.forms.iter().map(|(_, factor)| factor.abs());
+        y.loose += amplitude.abs() * waves.chain(forms).sum::<f64>();
     }
 
     /// *Errors*: S019 for a combination of reactions that the rows leave open.

@@ -7,6 +7,8 @@ use algebra::qr::{Qr, norm};
 const STEPS: usize = 100;
 /// Longest change of a coordinate in one step, SI.
 const LONGEST: f64 = 0.5;
+/// Steps in a row that are cut to the longest one before it grows: the place is far by its units.
+const PATIENCE: usize = 30;
 /// Row relative to the terms that meet in it.
 pub(crate) const RESIDUAL: f64 = 1e-10;
 
@@ -43,6 +45,7 @@ pub(super) type Choice<'c> = &'c dyn Fn(&Rows, &[f64]) -> Vec<Row>;
 pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], choose: Choice) -> Result<Option<Vec<Row>>, Fault> {
     let n = system.n;
     let mut rows = choose(&system.at(z)?, z);
+    let (mut reach, mut cut) = (LONGEST, 0);
     for _ in 0..STEPS {
         let (step, weights) = full_step(&rows, free);
         let length = |rows: &[Row]| norm(&rows.iter().zip(&weights).map(|(r, w)| r.value * w).collect::<Vec<_>>());
@@ -51,7 +54,9 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
             break;
         }
         let longest = step.iter().zip(free).filter(|(_, j)| **j < n).fold(0.0_f64, |l, (s, _)| l.max(s.abs()));
-        let mut share = if longest > LONGEST { LONGEST / longest } else { 1.0 };
+        cut = if longest > reach { cut + 1 } else { 0 };
+        reach *= if cut > PATIENCE { 2.0 } else { 1.0 };
+        let mut share = if longest > reach { reach / longest } else { 1.0 };
         let accepted = loop {
             let mut next = z.clone();
             free.iter().zip(&step).for_each(|(j, s)| next[*j] += share * s);

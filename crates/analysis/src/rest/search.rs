@@ -137,6 +137,7 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
     /// not depend on the units of the forces. *Source*: P. Deuflhard, Newton Methods for Nonlinear Problems, 3.3.
     pub(crate) fn from(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
         self.evaluate(&x)?;
+        let (mut longest, mut cut) = (LONGEST, 0);
         for _ in 0..STEPS {
             self.steps += 1;
             let lu = Lu::new(&self.jacobian, self.n);
@@ -154,7 +155,10 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
                 return Ok(self.rest(x));
             }
             let before = self.forces.clone();
-            let mut share = 1.0_f64.min(LONGEST / length);
+            // a place that many steps have not come near is far by its units
+            cut = if length > longest { cut + 1 } else { 0 };
+            longest *= if cut > PATIENCE { 2.0 } else { 1.0 };
+            let mut share = 1.0_f64.min(longest / length);
             loop {
                 let mut next = x.clone();
                 next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= share * c);
@@ -202,9 +206,10 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
             if a * b < 0.0 || b == 0.0 {
                 found.push(place_of(peaks::zero(&mut force, value(k - 1, SAMPLES), value(k, SAMPLES))));
             }
-            // a force that touches zero without changing its sign
-            if k < SAMPLES && b.abs() <= a.abs() && b.abs() <= forces[k + 1].abs() && b.abs() <= 1e-5 * largest {
-                found.push(place_of(value(k, SAMPLES)));
+            // a force that touches zero without changing its sign, or passes it twice between two samples
+            if k < SAMPLES && b.abs() <= a.abs() && b.abs() <= forces[k + 1].abs() && b.abs() <= TOUCHING * largest {
+                let (low, high) = (value(k - 1, SAMPLES), value(k + 1, SAMPLES));
+                found.extend(pair(&mut force, [low, value(k, SAMPLES), high]).map(place_of));
             }
         }
         found
@@ -302,8 +307,23 @@ pub fn no_equilibrium() -> Fault {
     })
 }
 
+/// A force below this share of the largest along a range may touch zero.
+const TOUCHING: f64 = 1e-5;
+
+/// Two places beside each other, where a force that comes near zero at `middle` passes it twice between the ends: the zeros on both sides of its extreme. Where
+/// it does not pass, the extreme alone, as a guess.
+fn pair(force: &mut dyn FnMut(f64) -> f64, [low, middle, high]: [f64; 3]) -> impl Iterator<Item = f64> {
+    let sign = if force(low) > 0.0 { -1.0 } else { 1.0 };
+    let extreme = peaks::highest(&mut |x| sign * force(x), low, high);
+    let passes = sign * force(extreme) > 0.0 && sign * force(high) < 0.0;
+    let found = if passes { [peaks::zero(force, low, extreme), peaks::zero(force, extreme, high)] } else { [middle, extreme] };
+    found.into_iter()
+}
+
 /// Longest step of Newton's method, SI: a radian or a metre.
 const LONGEST: f64 = 1.0;
+/// Steps in a row that are cut to the longest one before it grows.
+const PATIENCE: usize = 30;
 
 fn place_of(value: f64) -> Vec<f64> {
     vec![value]

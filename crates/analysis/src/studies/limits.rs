@@ -28,11 +28,11 @@ pub const PULSATING: Explanation =
     plain("S108", ("coefficients that oscillate in time", "коэффициенты, колеблющиеся во времени"), (PULSATING_EN, PULSATING_RU));
 const PULSATING_EN: &str = "Inertia, damping or stiffness oscillate in time (a rotor with unequal moments of inertia in axes at rest, a pulsating spring), so that one \
     frequency of the load is answered at many, and these act back on the first. The amplitudes of `response` are those of the means. Where \
-    inertia and damping act back by more than a hundredth of the forces they are refused; below that a note says by how much the amplitudes are uncertain. Wrong: response of a rotor with xx and yy that differ, its angles counted at rest. Right: count its angles in the turning frame, where the coefficients are \
+    inertia and damping act back by more than a hundredth of the forces they are refused; below that a note says by how much the amplitudes are uncertain. An output that follows the motion by a factor that oscillates, as x*cos(w*t) or the moment of a guide under swinging masses, is refused where the oscillating part makes more than a fifth of its amplitude, and told below. Wrong: response of a rotor with xx and yy that differ, its angles counted at rest. Right: count its angles in the turning frame, where the coefficients are \
     constant, or find the regime with `periodic`.";
 const PULSATING_RU: &str = "Инерция, сопротивление или жёсткость колеблются во времени (ротор с неравными моментами инерции в неподвижных осях, пульсирующая жёсткость), \
     поэтому на одну частоту нагрузки приходится много частот отклика, влияющих на первую. Амплитуды `response` получены по средним. Если \
-    колебания инерции и сопротивления дают более сотой доли сил, в амплитудах отказано; ниже этого примечание сообщает их погрешность. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
+    колебания инерции и сопротивления дают более сотой доли сил, в амплитудах отказано; ниже этого примечание сообщает их погрешность. В амплитуде величины, зависящей от движения через колеблющийся множитель (x*cos(w*t), момент в направляющей под качающимися массами), отказано, если колеблющаяся часть составляет более пятой её доли; ниже этого – примечание. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
     коэффициенты постоянны, или найдите режим с помощью `periodic`.";
 
 impl Forced<'_> {
@@ -117,6 +117,51 @@ fn little(share: f64, omega: f64) -> Text {
             omega.ru, share.ru
         ),
     )
+}
+
+/// S108 of an output.
+pub(super) fn unsteady(name: &str, share: f64) -> Fault {
+    let share = rounded(share);
+    let size = match share.en.contains("inf") {
+        true => Text::new("its mean is zero", "его среднее равно нулю"),
+        false => Text::new(
+            format!("the oscillating part makes up to {} of the amplitude by the mean", share.en),
+            format!("колеблющаяся часть даёт до {} от амплитуды, найденной по среднему", share.ru),
+        ),
+    };
+    Fault::new(Message {
+        code: "S108",
+        what: Text::new(
+            format!("`{name}` follows the small motion by a factor that oscillates in time: it has no amplitude by the mean"),
+            format!(
+                "величина `{name}` зависит от малого движения через множитель, колеблющийся во времени: амплитуды по среднему у неё нет"
+            ),
+        ),
+        why: size,
+        help: Text::new(
+            "leave it out of `outputs`, or take it from `periodic` or `simulate`",
+            "уберите её из `outputs` или возьмите из `periodic` либо `simulate`",
+        ),
+    })
+}
+
+/// S108 of an output that depends on time in another way than by harmonics.
+pub fn unrepeated(name: &str) -> Fault {
+    Fault::new(Message {
+        code: "S108",
+        what: Text::new(
+            format!("`{name}` depends on time directly, and not by a sum of harmonics: it has no amplitude"),
+            format!("величина `{name}` непосредственно зависит от времени, и не как сумма гармоник: амплитуды у неё нет"),
+        ),
+        why: Text::new(
+            "time in its formula repeats in no known period, or stands under a root or another function together with the motion",
+            "время входит в её формулу без известного периода либо стоит вместе с движением под корнем или другой функцией",
+        ),
+        help: Text::new(
+            "leave it out of `outputs`, or take it from `periodic` or `simulate`",
+            "уберите её из `outputs` или возьмите из `periodic` либо `simulate`",
+        ),
+    })
 }
 
 fn pulsating(share: f64, omega: f64) -> Fault {

@@ -27,6 +27,7 @@ pub mod statics;
 pub mod structure_modes;
 pub mod structure_statics;
 pub mod superposition;
+pub mod swings;
 mod telling;
 pub mod tracks;
 pub mod transient;

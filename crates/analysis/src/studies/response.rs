@@ -94,7 +94,7 @@ pub struct Forced<'m> {
     /// Rates of the waveforms.
     rates: Values,
     /// The parameter that is the frequency, and its number for ω = 1.
-    follows: Option<(usize, f64)>,
+    pub(super) follows: Option<(usize, f64)>,
     /// The frequency ω with the parameters as the model gives them.
     own: Option<f64>,
     /// Whether phases count from sin ωt.
@@ -264,6 +264,14 @@ impl<'m> Forced<'m> {
         let matrices = self.machine.at(&self.place)?;
         let excitation = self.excitation(&matrices)?;
         if excitation.waves.iter().all(|w| w.0.is_none()) && excitation.shaped.is_empty() {
+            if let Some(p) = parameter {
+                // a load of any frequency follows the parameter itself
+                let own = &self.machine.parameters()[p];
+                if own.unit != "rad/s" {
+                    return Err(not_proportional(&own.name));
+                }
+                self.follows = Some((p, 1.0_f64.copysign(self.machine.value(p))));
+            }
             self.components = vec![Component { order: 1.0, waves: (0..excitation.waves.len()).collect(), harmonics: Vec::new() }];
             return Ok(());
         }
@@ -560,6 +568,11 @@ impl<'m> Forced<'m> {
             y
         };
         Ok(seen.iter().map(one).collect())
+    }
+
+    /// Outputs that depend on time by themselves, where a load acts alone.
+    pub fn timed(&self) -> &[usize] {
+        self.observer.timed.as_deref().unwrap_or_default()
     }
 
     /// Whether the load is one of the machine's own, with a size.

@@ -591,7 +591,7 @@ fn assumed<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>, dista
     let graph = &mut reader.builder.graph;
     let slope = graph.derivative(shape.expr, distance);
     let curvature = graph.derivative(slope, distance);
-    shape.good.then_some(AssumedShape { name, label, rod, shape: shape.expr, curvature, distance, at })
+    shape.good.then_some(AssumedShape { name, label, rod, shape: shape.expr, slope, curvature, distance, at })
 }
 
 fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {

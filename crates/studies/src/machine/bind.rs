@@ -50,6 +50,24 @@ impl Machine {
         self.again(self.origin.source.clone(), self.overridden(values))
     }
 
+    /// Gives this machine other values with all that was derived for it, SI; what stands on its sheets (the hash of the file and its own values) stays.
+    ///
+    /// # Errors
+    /// Findings about the model with these values; the machine is as it was then.
+    pub fn given(&mut self, values: &[(&str, f64)]) -> Result<(), Failure> {
+        let hash = self.model_hash.clone();
+        match self.bound(values) {
+            Some(done) => done?,
+            None => {
+                let detail = if self.equations.steps.is_empty() { Detail::Equations } else { Detail::Steps };
+                let origin = Origin { overrides: self.overridden(values), ..self.origin.clone() };
+                *self = build(origin, detail, &mut Watch::default())?;
+            }
+        }
+        self.model_hash = hash;
+        Ok(())
+    }
+
     /// Gives this machine other values, SI; names as with `--set`. The result is that of [`Machine::with_values`] to the last bit; where the values are set
     /// already and nothing but numbers changes, nothing is read, derived or lowered again.
     ///

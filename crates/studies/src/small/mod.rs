@@ -34,7 +34,7 @@ pub struct Small {
     pub machine: LinearMachine,
     /// About where.
     pub place: Place,
-    /// Where rest is sought: at the guess of the study, else at those of the file's equilibria, the start and zero.
+    /// Where rest is sought: at the guess of the study, else at the start, at the guesses of the file's equilibria, and at zero.
     pub starts: Vec<Vec<f64>>,
     /// One-sided contacts, where there are some.
     pub contacts: Option<Contacts>,
@@ -190,7 +190,7 @@ fn stable_below(linear: &mut LinearMachine, (place, starts): (&Place, &[Vec<f64>
 /// Distance of a start from a place, relative or in its unit, that counts as none.
 const MEANT: f64 = 1e-6;
 
-/// Where to look for rest: at the guess of the study, else at those of the file's equilibria, the start and zero.
+/// Where to look for rest: at the guess of the study, else at the start, at the guesses of the file's equilibria, and at zero.
 fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Vec<Vec<f64>> {
     let n = machine.equations.coordinates.len();
     let from = |guess: &[(SymbolId, f64)]| crate::plan::guessed(&machine.equations, start, guess);
@@ -199,7 +199,7 @@ fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Ve
     }
     let guessed = machine.model.studies.iter().filter(|asked| asked.kind == "equilibrium" && !asked.guess().is_empty());
     let guesses = guessed.map(|asked| from(asked.guess()));
-    guesses.chain([start[..n].to_vec(), vec![0.0; n]]).collect()
+    std::iter::once(start[..n].to_vec()).chain(guesses).chain([vec![0.0; n]]).collect()
 }
 
 /// Whether no direction of C is negative.

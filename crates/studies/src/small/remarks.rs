@@ -1,6 +1,7 @@
 //! What is to be said of a response beside its numbers.
 
 use crate::small::asked::Response as Study;
+use analysis::Quantity;
 use analysis::studies::tracks::Tracks;
 use symbolic::Equations;
 use symbolic::equations::Role;
@@ -65,6 +66,42 @@ pub(super) fn not_straight(name: &str, share: f64) -> Text {
             far.ru
         ),
     )
+}
+
+/// An output with a part that follows time by itself, under a load alone.
+pub(super) fn by_itself(name: &str) -> Text {
+    Text::new(
+        format!(
+            "`{name}` also depends on time by itself; under the one load its amplitude is that of what the load moves, without that part"
+        ),
+        format!(
+            "величина `{name}` зависит от времени и непосредственно; под одной нагрузкой её амплитуда – это то, что вызывает сама нагрузка, без этой части"
+        ),
+    )
+}
+
+/// An output with a part at a rate that no load has.
+pub(super) fn foreign(name: &str, rate: f64) -> Text {
+    let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::number::short(rate, 6, language));
+    Text::new(
+        format!(
+            "`{name}` also oscillates by itself at {en} rad/s, which is none of the loads' frequencies: its amplitudes, greatest and least values are without that part"
+        ),
+        format!(
+            "величина `{name}` колеблется и непосредственно, с частотой {ru} рад/с, которой у нагрузок нет: её амплитуды, наибольшее и наименьшее значения даны без этой части"
+        ),
+    )
+}
+
+/// Where the frequency of the load is a multiple of the parameter that sets it.
+pub(super) fn axis(parameter: &Quantity, multiple: Option<f64>) -> Option<Text> {
+    let multiple = multiple.filter(|k| parameter.unit == "rad/s" && (k - 1.0).abs() > 1e-12)?;
+    let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::number::short(multiple, 6, language));
+    let name = &parameter.name;
+    Some(Text::new(
+        format!("ω is the frequency of the load, {en} times {name}: the range, the rows and the resonances are given in it"),
+        format!("ω – частота нагрузки, равная {ru}·{name}: в ней заданы диапазон, строки и резонансы"),
+    ))
 }
 
 /// Outputs of the file that nobody asked for.

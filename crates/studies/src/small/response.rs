@@ -6,7 +6,9 @@ use crate::provenance;
 use crate::results::{Alone, Body, Results};
 use crate::small::asked::Response as Study;
 use crate::small::load::{self, Meant};
-use crate::small::remarks::{bent_by_rates, cut, doubtful, left_out, not_shown, not_straight, reference, unstable};
+use crate::small::remarks::{
+    axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, reference, unstable,
+};
 use crate::small::strands::{self, Slack};
 use crate::small::{Small, about_rest, timing_notes};
 use crate::wording::Word as Say;
@@ -16,11 +18,13 @@ use analysis::dataset::{Column, Missing};
 use analysis::linear::LoadParts;
 use analysis::marks::pushes::Push;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
+use analysis::studies::limits::unrepeated;
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
 use analysis::studies::rest::branch::{Branch, Change};
 use analysis::studies::rest::changes;
 use analysis::studies::superposition::{self, Care, Superposed};
+use analysis::studies::swings::judged;
 use analysis::studies::tracks::tracks;
 use analysis::{Dataset, Fault, Quantity};
 use serde_json::{Map, Value, json};
@@ -195,6 +199,8 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
             curved = forced.curved(point)?;
         }
     }
+    notes.extend(swinging(&mut forced, &quantities, (own, &omegas))?);
+    notes.extend(parameter.and_then(|p| axis(&parameters[p], forced.multiple())));
     *data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
     each_order(&mut forced, &found, &omegas, (own, quantities.len()), out)?;
     forced.choose(main);
@@ -215,6 +221,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     data.notes.push(reference(if from_sine { "sin" } else { "cos" }, if out.orders.is_empty() { "ωt" } else { "nωt" }));
     data.notes.extend(doubtful(doubt));
     data.notes.extend(left_out(&forced.left_out));
+    data.notes.extend(forced.timed().iter().map(|k| by_itself(&quantities[*k].name)));
     data.notes.extend(limit);
     let top = omegas.iter().chain(&own).copied().fold(0.0, f64::max);
     data.audits.extend(beyond(machine, out.main * top));
@@ -237,6 +244,30 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+/// Outputs that follow the motion by factors that oscillate in time, or depend on time in other ways than the loads do: at the frequency of the file, or in the middle
+/// of the rows, since beside a resonance amplitudes grow that are small elsewhere.
+fn swinging(forced: &mut Forced, outputs: &[Quantity], (own, omegas): (Option<f64>, &[f64])) -> Result<Vec<Text>, Fault> {
+    if let Some(k) = forced.frozen().first() {
+        return Err(unrepeated(&outputs[*k].name));
+    }
+    let rows = || omegas.iter().copied().filter(|w| *w > 0.0);
+    let places: Vec<f64> = own.map_or_else(|| rows().collect(), |w| vec![w]);
+    let mut notes = Vec::new();
+    if forced.swings() && !places.is_empty() {
+        let shares = places.iter().map(|omega| forced.swung(*omega)).collect::<Result<Vec<_>, _>>()?;
+        for (k, output) in outputs.iter().enumerate() {
+            let mut all: Vec<f64> = shares.iter().map(|row| row[k]).collect();
+            all.sort_by(f64::total_cmp);
+            notes.extend(judged(&output.name, all[all.len() / 2])?);
+        }
+    }
+    // rates that belong to the loads follow ω, the others do not
+    if let Some(omega) = rows().max_by(f64::total_cmp) {
+        notes.extend(forced.foreign(omega)?.into_iter().map(|(k, rate)| foreign(&outputs[k].name, rate)));
+    }
+    Ok(notes)
 }
 
 /// Phases count from the load at the frequency of the file, or where that has no hold on the machine, at one along the range.
@@ -403,7 +434,7 @@ fn source(machine: &Machine, study: &Study, small: &mut Small) -> Result<(Source
     };
     let equations = small.machine.equations().clone();
     let applied = match load::named(&machine.model, small, name)? {
-        Meant::Coordinate(i) => return Ok((Source::Unit(i), None)),
+        Meant::Coordinate(i) => return Ok((Source::Unit(i), chosen(study, small)?)),
         Meant::Load(k) => &equations.applied[k],
     };
     let Some((mean, waves, shaped)) = small.machine.harmonics_of(&applied.forces)? else { return Err(forced::no_period()) };
@@ -411,7 +442,7 @@ fn source(machine: &Machine, study: &Study, small: &mut Small) -> Result<(Source
         // a constant force takes any frequency with its value as amplitude
         let sines = small.machine.zeros();
         let values = mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect();
-        return Ok((Source::Constant(values, parts(applied)), None));
+        return Ok((Source::Constant(values, parts(applied)), chosen(study, small)?));
     }
     let linear = small.machine.linear();
     let rates = waves.iter().map(|l| l.rate).chain(shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate));
@@ -443,6 +474,14 @@ fn choose(study: &Study, small: &Small, rates: &[Expr]) -> Result<Option<usize>,
         [only] => Ok(Some(only)),
         _ => Err(forced::ambiguous(&all.iter().map(|p| parameters[*p].name.clone()).collect::<Vec<_>>())),
     }
+}
+
+/// The parameter that a load of any frequency follows, where one is named.
+fn chosen(study: &Study, small: &Small) -> Result<Option<usize>, Fault> {
+    let Some(name) = &study.frequency else { return Ok(None) };
+    let names: Vec<String> = small.machine.parameters().iter().map(|p| p.name.clone()).collect();
+    let what = Text::new(format!("there is no parameter `{name}`"), format!("нет параметра `{name}`"));
+    small.machine.parameter(name).map(Some).ok_or_else(|| Fault::unknown(what, &names))
 }
 
 /// Parameters that a rate depends on, through definitions too.

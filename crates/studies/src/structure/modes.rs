@@ -93,7 +93,7 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     }
     if !found.rayleigh.is_empty() {
         let row = |r: &Reduction| {
-            json!({"name": r.name, "rod": r.rod, "reduced_mass": r.mass, "share": r.share, "stiffness": r.stiffness, "lumped": r.lumped,
+            json!({"name": r.name, "rod": r.rod, "reduced_mass": r.mass, "share": r.share, "stiffness": r.stiffness, "lumped": r.lumped, "springs": r.springs,
                 "omega": r.omega})
         };
         own.insert("rayleigh".into(), found.rayleigh.iter().map(row).collect());

@@ -26,8 +26,10 @@ pub struct Reduced {
     pub share: f64,
     /// c_r; NaN without EI.
     pub stiffness: f64,
-    /// Masses of the nodes at its ends, reduced to the same place.
+    /// Masses and moments of inertia of the nodes at its ends and the rotary inertia of the rod, reduced to the same place.
     pub lumped: f64,
+    /// Stiffness of the springs of the nodes at its ends, reduced to the same place.
+    pub springs: f64,
     /// ω; NaN without EI.
     pub omega: f64,
 }
@@ -49,23 +51,34 @@ fn one(model: &Model, structure: &Structure, assumed: &AssumedShape) -> Reduced 
     let place = |s: f64, e| numbers.at(e, assumed.distance, s);
     let unit = place(at, assumed.shape);
     let (nodes, weights) = gauss();
-    let (mut squares, mut curvatures) = (0.0, 0.0);
+    let (mut squares, mut slopes, mut curvatures) = (0.0, 0.0, 0.0);
     let piece = length / PIECES as f64;
     for k in 0..PIECES {
         for (x, w) in nodes.iter().zip(&weights) {
             let s = piece * (k as f64 + 0.5 * (1.0 + x));
             let (deflection, curvature) = (place(s, assumed.shape) / unit, place(s, assumed.curvature) / unit);
+            let slope = place(s, assumed.slope) / unit;
             squares += 0.5 * piece * w * deflection * deflection;
+            slopes += 0.5 * piece * w * slope * slope;
             curvatures += 0.5 * piece * w * curvature * curvature;
         }
     }
-    let ends = [place(0.0, assumed.shape) / unit, place(length, assumed.shape) / unit];
-    let masses: Vec<_> = rod.ends.iter().map(|i| structure.nodes[*i].mass).collect();
-    let lumped = masses.into_iter().zip(ends).map(|(m, w)| numbers.value(m) * w * w).sum::<f64>();
+    let (mut lumped, mut springs) = (0.0, 0.0);
+    let corners = rod.ends.map(|i| structure.nodes[i].at.map(|e| numbers.value(e)));
+    // across the rod; its own length is that between its nodes
+    let across = [0, 1].map(|i| (corners[1][1 - i] - corners[0][1 - i]) / length);
+    for (i, s) in rod.ends.iter().zip([0.0, length]) {
+        let node = &structure.nodes[*i];
+        let [deflection, slope] = [assumed.shape, assumed.slope].map(|e| numbers.at(e, assumed.distance, s) / unit);
+        let [x, y, turn] = node.springs.map(|e| numbers.value(e));
+        lumped += numbers.value(node.mass) * deflection * deflection + numbers.value(node.inertia) * slope * slope;
+        springs += (x * across[0] * across[0] + y * across[1] * across[1]) * deflection * deflection + turn * slope * slope;
+    }
+    lumped += numbers.value(rod.rotary) * slopes;
     let (mass, stiffness) = (line * squares, bending * curvatures);
-    let omega = (stiffness / (mass + lumped)).sqrt();
+    let omega = ((stiffness + springs) / (mass + lumped)).sqrt();
     let (name, label) = (assumed.name.clone(), assumed.label.clone());
-    Reduced { name, label, rod: rod.name.clone(), mass, share: squares / length, stiffness, lumped, omega }
+    Reduced { name, label, rod: rod.name.clone(), mass, share: squares / length, stiffness, lumped, springs, omega }
 }
 
 /// Abscissas and weights of 16 points by Newton's method on Legendre's polynomial. *Source*: M. Abramowitz, I. A. Stegun, 25.4.29.

@@ -2,7 +2,6 @@
 
 use super::course::{Class, Member};
 use super::{guards, solve};
-use crate::failure::Failure;
 use crate::watch::Watch;
 use mechanics::Model;
 use mechanics::model::AnswerDecl;
@@ -136,7 +135,7 @@ pub fn check(class: &mut Class, model: &Model, members: &[(String, Result<Member
 fn line(class: &mut Class, member: &Member, watch: &mut Watch) -> Line {
     let mut line = Line { name: member.name.clone(), values: member.overrides.clone(), ..Line::default() };
     match class.machine(member) {
-        Err(failure) => line.failure = Some(reason(failure)),
+        Err(failure) => line.failure = Some(solve::reason(failure)),
         Ok(machine) => {
             let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
             let solved = solve::solve(machine, &member.given, &mut inner);
@@ -148,18 +147,6 @@ fn line(class: &mut Class, member: &Member, watch: &mut Watch) -> Line {
         }
     }
     line
-}
-
-/// The first error of a failure.
-pub fn reason(failure: Failure) -> Notice {
-    match failure {
-        Failure::Findings { diagnostics, .. } => {
-            let error = diagnostics.iter().find(|d| d.severity == words::Severity::Error);
-            error.or(diagnostics.first()).cloned().unwrap_or_else(|| Notice::new("C022", "not a model", "модель неверна"))
-        }
-        Failure::Trouble(notice) | Failure::Misuse(notice) => *notice,
-        _ => Notice::new("C022", "not a model", "модель неверна"),
-    }
 }
 
 impl Overview {

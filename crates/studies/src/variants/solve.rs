@@ -2,6 +2,7 @@
 
 use crate::answers::meaning;
 use crate::answers::wanted::{Edge, Moment, Wanted};
+use crate::failure::Failure;
 use crate::machine::Machine;
 use crate::observable::{Observable, Side};
 use crate::results::Results;
@@ -46,7 +47,12 @@ pub fn answers(machine: &mut Machine, results: Vec<Results>, (given, own): (&Giv
         let found = finder.number(answer);
         sizes.push(found.as_ref().map_or(0.0, |f| f[1]));
         let truth = found.map(|[value, size]| if value.abs() <= NOISE * size { 0.0 } else { value });
-        let value = own.iter().find(|(k, _)| *k == i).map(|(_, value)| *value).or_else(|| truth.as_ref().ok().copied());
+        let own = own.iter().find(|(k, _)| *k == i).map(|(_, value)| *value);
+        // a student's own value is the machine's already
+        if let (Some(name), None, Ok(value)) = (&answer.gives, own, &truth) {
+            finder.carry(answer, name, value * answer.unit.factor);
+        }
+        let value = own.or_else(|| truth.as_ref().ok().copied());
         finder.known.insert(answer.symbol, value.map_or(f64::NAN, |v| v * answer.unit.factor));
         truths.push(truth);
     }
@@ -71,7 +77,28 @@ struct Finder<'a, 'w> {
     watch: &'a mut Watch<'w>,
 }
 
+/// Share by which a value that a study has found may differ from the file's own and be the same: what searches leave.
+const FOUND: f64 = 1e-9;
+
 impl Finder<'_, '_> {
+    /// Computes what follows with the value that an answer gives to a parameter. Where it is none of the parameter, what follows is unknown.
+    fn carry(&mut self, answer: &AnswerDecl, name: &str, value: f64) {
+        let symbol = self.machine.model.parameters.iter().find(|p| p.name == name).map(|p| p.symbol);
+        let number = self.machine.equations.parameters.iter().find(|p| Some(p.symbol) == symbol).map(|p| p.value);
+        if number.is_some_and(|number| (number - value).abs() <= FOUND * value.abs()) {
+            return;
+        }
+        match self.machine.given(&[(name, value)]) {
+            Ok(()) => self.results = studies(self.machine, self.watch),
+            Err(failure) => {
+                let notice = reason(failure);
+                let misfit = Misfit::new(notice.what.en.clone(), notice.what.ru.clone());
+                let trouble = unknown(answer, misfit);
+                self.results.iter_mut().for_each(|r| r.trouble = Some(trouble.clone()));
+            }
+        }
+    }
+
     /// The number and the size of its quantity, in the unit of the question.
     fn number(&mut self, answer: &AnswerDecl) -> Result<[f64; 2], Notice> {
         let AnswerValue::Study { of, .. } = &answer.value else { return self.formula(answer).map(|value| [value, 0.0]) };
@@ -303,6 +330,18 @@ fn nothing(answer: &AnswerDecl) -> Notice {
         format!("ни в одном расчёте нет числа `{text}` с известной единицей"),
     );
     unknown(answer, misfit)
+}
+
+/// The first error of a failure.
+pub fn reason(failure: Failure) -> Notice {
+    match failure {
+        Failure::Findings { diagnostics, .. } => {
+            let error = diagnostics.iter().find(|d| d.severity == words::Severity::Error);
+            error.or(diagnostics.first()).cloned().unwrap_or_else(|| Notice::new("C022", "not a model", "модель неверна"))
+        }
+        Failure::Trouble(notice) | Failure::Misuse(notice) => *notice,
+        _ => Notice::new("C022", "not a model", "модель неверна"),
+    }
 }
 
 /// C067: an answer has no number.
