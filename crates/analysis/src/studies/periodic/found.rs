@@ -8,6 +8,7 @@ use super::orbit::{Limit, Orbit, Section, follow};
 use super::slopes;
 use super::spectrum::Turn;
 use super::symmetry::{self, Symmetry};
+use super::turns::Turns;
 use crate::dataset::Audit;
 use crate::integrate::taylor::Options;
 use crate::{Fault, Mode, System};
@@ -39,7 +40,7 @@ pub(super) struct Found<'o> {
     pub(super) free: Vec<usize>,
     /// Change of all states per change of the free ones, column by column.
     pub(super) basis: Vec<Vec<f64>>,
-    pub(super) angles: Vec<bool>,
+    pub(super) turns: Turns,
     /// Whether the motion is far smaller than in the first turn.
     pub(super) shrunk: bool,
     /// Who listens.
@@ -116,12 +117,10 @@ impl Found<'_> {
     fn raw_gap(&self) -> Vec<f64> {
         let frame = self.symmetry.frame.as_deref();
         let period = self.orbit.period;
-        (0..self.orbit.first.len())
-            .map(|i| {
-                let change = self.orbit.last[i] - self.orbit.first[i] - frame.map_or(0.0, |f| f[i] * period);
-                if self.angles[i] { change - TAU * (change / TAU).round() } else { change }
-            })
-            .collect()
+        let drift = |i: usize| frame.map_or(0.0, |f| f[i] * period);
+        let mut gap: Vec<f64> = (0..self.orbit.first.len()).map(|i| self.orbit.last[i] - self.orbit.first[i] - drift(i)).collect();
+        self.turns.take_off(&mut gap);
+        gap
     }
 
     /// States that have to come back: free, not the section's, not translations.
@@ -250,12 +249,8 @@ impl Found<'_> {
     fn comes_back_after(&self, t: f64) -> bool {
         let frame = self.symmetry.frame.as_deref();
         let mut gap: Vec<f64> = self.orbit.state_at(t).iter().zip(&self.orbit.first).map(|(a, b)| a - b).collect();
-        for (i, gap) in gap.iter_mut().enumerate() {
-            *gap -= frame.map_or(0.0, |f| f[i] * t);
-            if self.angles[i] {
-                *gap -= TAU * (*gap / TAU).round();
-            }
-        }
+        gap.iter_mut().enumerate().for_each(|(i, gap)| *gap -= frame.map_or(0.0, |f| f[i] * t));
+        self.turns.take_off(&mut gap);
         clear_shifts(&self.symmetry, &mut gap);
         self.miss(&gap, None) < 1e-8
     }

@@ -25,6 +25,7 @@ mod slopes;
 mod spectrum;
 mod square;
 mod symmetry;
+mod turns;
 mod variation;
 mod verdict;
 

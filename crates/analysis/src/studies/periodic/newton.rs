@@ -8,9 +8,9 @@ use super::options::{Periodic, Return};
 use super::orbit::{Orbit, Section, follow};
 use super::rest::{self, Left};
 use super::symmetry::{self, Reach, Symmetry};
+use super::turns::Turns;
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, System};
-use std::f64::consts::TAU;
 use words::Text;
 
 /// Steps of the trial run.
@@ -34,8 +34,8 @@ struct Search<'s, 'o> {
     scales: Vec<f64>,
     symmetry: Symmetry,
     loose: Symmetry,
-    /// States that are the same after a whole turn.
-    angles: Vec<bool>,
+    /// Whole turns that the laws do not feel.
+    turns: Turns,
     sections: Vec<Section>,
     /// State that defines the section; none for a given period.
     state: Option<usize>,
@@ -332,14 +332,14 @@ fn prepare<'s, 'o, S: System + ?Sized>(
     let symmetry = symmetry::find(system, &trial, &first_scales, named, Reach::Possible)?;
     let loose = symmetry::find(system, &trial, &first_scales, named, Reach::Any)?;
     let scales = scales(system, &trial, symmetry.frame.as_ref());
-    let angles = angles(system, &trial, &scales)?;
+    let turns = Turns::find(system, &trial, &scales)?;
     let mut search = Search {
         options,
         flow: Options { span: trial.period, ..flow },
         scales,
         symmetry,
         loose,
-        angles,
+        turns,
         sections: Vec::new(),
         state: None,
         whole: Vec::new(),
@@ -364,6 +364,7 @@ fn prepare<'s, 'o, S: System + ?Sized>(
             }
             if options.settle > 0.0 {
                 x = settled_phase(system, start, *period, options, &search.flow)?;
+                search.turns.unwind(&mut x);
             }
             search.sections = vec![Section::Time(*period * options.returns as f64)];
             search.name = Text::new("the motion", "движение");
@@ -379,7 +380,8 @@ fn prepare<'s, 'o, S: System + ?Sized>(
             if options.settle > 0.0 && named.is_some() {
                 x = search.in_phase(system, x, start)?;
             }
-            search.take_turns_off(&mut x);
+            // whole turns that angles made while the motion settled go, and with them no digits
+            search.turns.unwind(&mut x);
             search.aim(&x);
         }
     }
@@ -411,17 +413,6 @@ fn state_named<S: System + ?Sized>(system: &S, name: &str) -> Result<usize, Faul
     known.iter().position(|n| n == name).ok_or_else(|| Fault::unknown_output(name, &known))
 }
 
-/// Which coordinates and auxiliary states are angles that the laws know up to whole turns.
-fn angles<S: System + ?Sized>(system: &mut S, trial: &Orbit, scales: &[f64]) -> Result<Vec<bool>, Fault> {
-    let n = system.n_coordinates();
-    let mut out = Vec::new();
-    for i in 0..trial.first.len() {
-        let is_angle = !(n..2 * n).contains(&i) && system.states()[i].unit == "rad";
-        out.push(is_angle && symmetry::turns(system, trial, i, scales)?);
-    }
-    Ok(out)
-}
-
 /// A place of the motion at which the section's state really moves.
 fn transversal<S: System + ?Sized>(
     system: &mut S,
@@ -450,7 +441,7 @@ impl<'o> Search<'_, 'o> {
         let frame = self.symmetry.frame.as_ref().unwrap_or(&still);
         let ranges = trial.ranges(frame);
         let shifted = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
-        let turning = |i: &usize| self.angles[*i] && ranges[*i].0 > TAU;
+        let turning = |i: &usize| self.turns.of(*i).is_some_and(|turn| ranges[*i].0 > turn);
         if let Some(i) = (0..system.n_coordinates()).find(|i| turning(i) && !shifted(*i)) {
             return Ok(i);
         }
@@ -476,8 +467,8 @@ impl<'o> Search<'_, 'o> {
         let drift = frame[state];
         let count = self.options.returns.max(1);
         self.sections = vec![Section::Level { state, level: x[state], drift, sign, count, turn: 0.0 }];
-        if self.angles[state] {
-            let turn = sign * TAU * count as f64;
+        if let Some(whole) = self.turns.of(state) {
+            let turn = sign * whole * count as f64;
             self.sections.push(Section::Level { state, level: x[state] + turn, drift, sign, count: 1, turn });
         }
         Ok(())
@@ -485,11 +476,10 @@ impl<'o> Search<'_, 'o> {
 
     /// The next state in which the section's angle is what it is at the start of the file, whole turns apart.
     fn in_phase<S: System + ?Sized>(&self, system: &mut S, x: Vec<f64>, start: &[f64]) -> Result<Vec<f64>, Fault> {
-        let Some(state) = self.state.filter(|&i| self.angles[i] && self.symmetry.frame.as_ref().is_some_and(|f| f[i] == 0.0)) else {
-            return Ok(x);
-        };
+        let state = self.state.filter(|&i| self.symmetry.frame.as_ref().is_some_and(|f| f[i] == 0.0));
+        let Some((state, whole)) = state.and_then(|i| Some((i, self.turns.of(i)?))) else { return Ok(x) };
         let Some(Section::Level { sign, .. }) = self.sections.first() else { return Ok(x) };
-        let ahead = (sign * (start[state] - x[state])).rem_euclid(TAU);
+        let ahead = (sign * (start[state] - x[state])).rem_euclid(whole);
         let level = x[state] + sign * ahead;
         let section = Section::Level { state, level, drift: 0.0, sign: *sign, count: 1, turn: 0.0 };
         match follow(system, &x, &[section], self.options.limit(), &self.flow)? {
@@ -499,12 +489,6 @@ impl<'o> Search<'_, 'o> {
             }
             _ => Ok(x),
         }
-    }
-
-    /// Angles lose the whole turns that they made while the motion settled, and with them no digits.
-    fn take_turns_off(&self, x: &mut [f64]) {
-        let turns = self.angles.iter().zip(x).filter(|(angle, x)| **angle && x.abs() > 2.0 * TAU);
-        turns.for_each(|(_, x)| *x -= TAU * (*x / TAU).round());
     }
 
     /// What is left of the motion; where little is, it gets scales of its own. None in a given period: a place of rest is a regime of that period.
@@ -540,7 +524,7 @@ impl<'o> Search<'_, 'o> {
             loose: self.loose.clone(),
             free,
             basis,
-            angles: self.angles.clone(),
+            turns: self.turns.clone(),
             shrunk: self.shrunk,
             listener: self.options.listener,
         })

@@ -230,11 +230,11 @@ fn samples<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) ->
     out
 }
 
-/// Whether the laws are the same after a whole turn of a state.
-pub(super) fn turns<S: System + ?Sized>(system: &mut S, orbit: &Orbit, state: usize, scales: &[f64]) -> Result<bool, Fault> {
+/// Whether the laws are the same after whole turns of some states.
+pub(super) fn turned<S: System + ?Sized>(system: &mut S, orbit: &Orbit, turns: &[(usize, f64)], scales: &[f64]) -> Result<bool, Fault> {
     unchanged(system, orbit, scales, |sample| {
         let mut x = sample.x.clone();
-        x[state] += std::f64::consts::TAU;
+        turns.iter().for_each(|(state, count)| x[*state] += std::f64::consts::TAU * count);
         (sample.t, x)
     })
 }
