@@ -66,6 +66,8 @@ pub struct Machine {
     /// Which outputs the roots of `observed` are, and whether one of them needs q'' or a reaction.
     shown: Vec<usize>,
     needs_accelerations: bool,
+    /// q'' that outputs take in place of those of the equations.
+    imposed: Option<Vec<f64>>,
     energy: Evaluator,
     flows: Flows,
     /// Contacts and frictions in numbers, and where each is among the roots.
@@ -198,6 +200,7 @@ impl Machine {
             expanded: Switches::default(),
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
+            imposed: None,
             solved: Solved::default(),
             guards,
             rubbing: rubbing(equations, program),
@@ -303,7 +306,7 @@ impl Machine {
             return known.clone();
         }
         let outputs = Behind::new(&self.observed);
-        let forces = if self.needs_accelerations { Behind::new(&self.forces) } else { Behind::default() };
+        let forces = if self.needs_accelerations && self.imposed.is_none() { Behind::new(&self.forces) } else { Behind::default() };
         let program = self.bound.program();
         let n = program.coordinates;
         let root = |i: usize| if i < n { Some(i) } else { program.known.iter().position(|r| *r == i - n).map(|k| n + k) };
@@ -390,7 +393,14 @@ impl System for Machine {
 
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
         self.observing.set(modes, &self.bound);
-        let open = if self.needs_accelerations { self.solve_shared(t, x)? } else { None };
+        let open = match &self.imposed {
+            Some(own) => {
+                self.accelerations[..own.len()].copy_from_slice(own);
+                None
+            }
+            None if self.needs_accelerations => self.solve_shared(t, x)?,
+            None => None,
+        };
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         for (value, &i) in self.observed.evaluate(&point)?.iter().zip(&self.shown) {
@@ -414,6 +424,13 @@ impl System for Machine {
         self.shown = wanted.to_vec();
         self.behind = None;
         Ok(())
+    }
+
+    fn impose(&mut self, accelerations: Option<&[f64]>) {
+        if self.imposed.is_some() != accelerations.is_some() {
+            self.behind = None;
+        }
+        self.imposed = accelerations.map(<[f64]>::to_vec);
     }
 
     fn behind(&mut self) -> Arc<Behind> {

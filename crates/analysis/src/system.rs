@@ -314,6 +314,11 @@ pub trait System {
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
 
+    /// Accelerations that outputs take from now on in place of those of the equations (of small motions, say), until none are given.
+    fn impose(&mut self, accelerations: Option<&[f64]>) {
+        let _ = accelerations;
+    }
+
     /// The operations behind the outputs that are shown, by index of the output; none when the system knows values only.
     fn behind(&mut self) -> Arc<Behind> {
         Arc::default()

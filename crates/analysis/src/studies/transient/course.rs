@@ -55,6 +55,7 @@ impl<S: System + ?Sized> Source for Closed<'_, S> {
         let turns = phase.form.turns.iter().map(|turn| turn.at(t));
         let x: Vec<f64> = self.walk.state(tau).into_iter().chain(turns).collect();
         let modes = modes(self.system, phase, t, &x);
+        phase.accelerate(self.system, t, &x);
         let count = self.system.outputs().len();
         let mut row = Vec::new();
         match self.system.sample(t, &x, &modes, &mut row) {

@@ -9,6 +9,7 @@ use super::load::Load;
 use super::obstacle::{Obstacle, Reason, Result, connected};
 use super::value::{Value, slope};
 use crate::Fault;
+use algebra::lu::Lu;
 use std::collections::HashMap;
 use symbolic::{Edge, Equations, Expr, Function, Node, SymbolId};
 
@@ -27,6 +28,18 @@ pub struct Form {
     pub loads: Vec<Load>,
     /// Auxiliary states (angles of prescribed turning) over t.
     pub turns: Vec<Load>,
+}
+
+impl Form {
+    /// q'' of the state x = (q, q', ...) at t; not numbers where M is singular.
+    pub fn accelerations(&self, t: f64, x: &[f64]) -> Vec<f64> {
+        let n = self.n;
+        let row = |i: usize| {
+            let held: f64 = (0..n).map(|j| self.stiffness[i * n + j] * x[j] + self.damping[i * n + j] * x[n + j]).sum();
+            self.loads[i].at(t) - held
+        };
+        Lu::new(&self.mass, n).solve(&(0..n).map(row).collect::<Vec<f64>>()).unwrap_or_else(|| vec![f64::NAN; n])
+    }
 }
 
 /// Forms of the phases between the given instants: phase k lasts from `instants[k]` to `instants[k + 1]`.

@@ -25,7 +25,7 @@ use crate::marks::named::Named;
 use crate::marks::pushes::Push;
 use crate::{Fault, Quantity, System};
 use motion::Motion;
-use phase::modes;
+use phase::{Accelerations, modes};
 
 pub use phase::Phase;
 use symbolic::Equations;
@@ -62,7 +62,9 @@ const TWIN_STEPS: f64 = 2e6;
 ///
 /// *Errors* beside what was found: see [`form::forms`] and [`Motion::new`]; options without meaning.
 pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
-    match solve(system, equations, start, &options) {
+    let solved = solve(system, equations, start, &options);
+    system.impose(None);
+    match solved {
         Ok(mut solved) => {
             let until = solved.phases.last().map_or(options.twin.until, |p| p.end);
             twin(system, start, &mut solved, Simulate { until, events: Vec::new(), ..options.twin });
@@ -92,9 +94,9 @@ fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64
         _ => None,
     };
     let mut phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
-    let fast = |i: usize| rest.is_some() && follows_accelerations(equations, &system.outputs()[i].name);
-    let (chosen, mut hidden): (Vec<usize>, Vec<usize>) = all.into_iter().partition(|i| !fast(*i));
-    let (events, unseen): (Vec<Named>, Vec<Named>) = options.twin.events.iter().cloned().partition(|e| !fast(e.output));
+    let unknown = |i: usize| rest.is_some() && holds_reactions(equations, &system.outputs()[i].name);
+    let (chosen, mut hidden): (Vec<usize>, Vec<usize>) = all.into_iter().partition(|i| !unknown(*i));
+    let (events, unseen): (Vec<Named>, Vec<Named>) = options.twin.events.iter().cloned().partition(|e| !unknown(e.output));
     hidden.extend(unseen.iter().map(|e| e.output).filter(|i| !hidden.contains(i)).collect::<Vec<_>>());
     let marked = named::follow(system, &mut phases, &chosen, &events);
     if let Some((end, _)) = &marked.ended {
@@ -160,7 +162,9 @@ fn phases(equations: &Equations, start: &[f64], instants: &[f64], ends: &[f64], 
         let (begin, end) = (instants[i], instants[last + 1]);
         let motion = Motion::new(&forms[i], &state, begin)?;
         let state_at_end = motion.states(&[end - begin]).pop().unwrap_or_default();
-        let phase = Phase { start: begin, end, form: forms[i].clone(), motion, state_at_start: state, state_at_end: state_at_end.clone() };
+        let accelerations = if rest.is_some() { Accelerations::OfForm } else { Accelerations::OfEquations };
+        let form = forms[i].clone();
+        let phase = Phase { start: begin, end, form, motion, state_at_start: state, state_at_end: state_at_end.clone(), accelerations };
         found.push(phase);
         state = state_at_end;
         i = last + 1;
@@ -190,6 +194,7 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], ch
         let (phase, t) = (&phases[at], times[row]);
         let x: Vec<f64> = x.iter().copied().chain(phase.form.turns.iter().map(|turn| turn.at(t))).collect();
         let modes = modes(system, phase, t, &x);
+        phase.accelerate(system, t, &x);
         system.observe(t, &x, &modes, &mut values)?;
         for (column, i) in rows.iter_mut().zip(chosen) {
             column[row] = crate::fault::finite(values[*i], &all[*i].name)?;
@@ -205,18 +210,16 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], ch
 }
 
 /// Whether an output holds accelerations or reactions: of the whole equations at a place of small motions they belong to neither motion.
-fn follows_accelerations(equations: &Equations, name: &str) -> bool {
+fn holds_reactions(equations: &Equations, name: &str) -> bool {
     let Some(output) = equations.outputs.iter().find(|o| o.name == name) else { return false };
-    let fast = |s: symbolic::SymbolId| {
-        equations.coordinates.iter().any(|c| c.symbols[2] == s) || equations.reactions.iter().any(|r| r.symbol == s)
-    };
+    let reaction = |s: symbolic::SymbolId| equations.reactions.iter().any(|r| r.symbol == s);
     let mut known: Vec<symbolic::SymbolId> = Vec::new();
     for d in &equations.definitions {
-        if equations.graph.contains(d.formula, |s| fast(s) || known.contains(&s)) {
+        if equations.graph.contains(d.formula, |s| reaction(s) || known.contains(&s)) {
             known.push(d.symbol);
         }
     }
-    equations.graph.contains(output.formula, |s| fast(s) || known.contains(&s))
+    equations.graph.contains(output.formula, |s| reaction(s) || known.contains(&s))
 }
 
 /// Names outputs that small motions do not give.
@@ -224,8 +227,8 @@ fn without_line<S: System + ?Sized>(system: &S, hidden: &[usize]) -> Option<Text
     let list = hidden.iter().map(|i| system.outputs()[*i].name.as_str()).collect::<Vec<_>>().join(", ");
     (!list.is_empty()).then(|| {
         Text::new(
-            format!("not shown: {list}, over accelerations and reactions, which the linearised motion does not give; `simulate` has them"),
-            format!("не показаны {list}: зависят от ускорений и реакций, которых линеаризованное движение не даёт; они есть в `simulate`"),
+            format!("not shown: {list}, over reactions, which the linearised motion does not give; `simulate` has them"),
+            format!("не показаны {list}: зависят от реакций, которых линеаризованное движение не даёт; они есть в `simulate`"),
         )
     })
 }

@@ -82,6 +82,7 @@ pub(super) fn values<S: System + ?Sized>(system: &mut S, phase: &Phase, chosen: 
     let mut x = phase.motion.states(&[tau]).pop().unwrap_or_default();
     x.extend(phase.form.turns.iter().map(|turn| turn.at(t)));
     let modes = modes(system, phase, t, &x);
+    phase.accelerate(system, t, &x);
     let mut all = vec![f64::NAN; system.outputs().len()];
     if system.show(chosen).is_err() || system.observe(t, &x, &modes, &mut all).is_err() {
         all.fill(f64::NAN);

@@ -19,6 +19,27 @@ pub struct Phase {
     pub state_at_start: Vec<f64>,
     /// (q, q') at the end.
     pub state_at_end: Vec<f64>,
+    /// Whose accelerations outputs show.
+    pub accelerations: Accelerations,
+}
+
+/// Where accelerations come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accelerations {
+    /// From the equations, which are linear.
+    OfEquations,
+    /// From M q'' = f - B q' - C q of small motions: the equations are others.
+    OfForm,
+}
+
+impl Phase {
+    /// Gives the system the accelerations of (t, x), where they are not those of its equations.
+    pub(super) fn accelerate<S: System + ?Sized>(&self, system: &mut S, t: f64, x: &[f64]) {
+        match self.accelerations {
+            Accelerations::OfEquations => system.impose(None),
+            Accelerations::OfForm => system.impose(Some(&self.form.accelerations(t, x))),
+        }
+    }
 }
 
 /// Scheduled switches as inside the phase, others by their values.
