@@ -301,7 +301,7 @@ impl Tried {
         let machine = &self.machine;
         let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
         let n = machine.equations.coordinates.len();
-        let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
+        let angle = angle(machine, study);
         let rate = study.speed.unwrap_or(start[n + angle]);
         if rate == 0.0 {
             return Err(Notice::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
@@ -331,7 +331,7 @@ impl Tried {
 
 /// The same for the motion of a machine from its start.
 fn pulling(machine: &mut Machine, study: &Cycle) -> Result<Vec<Text>, analysis::Fault> {
-    let start = machine.system.start()?;
+    let start = begun(machine, study)?;
     let pushes = crate::plan::pushes(&machine.model, &machine.equations);
     let options = turning(machine, study, &start);
     analysis::studies::pushed::over_cycle(&mut machine.system, &start, &options, &pushes)
@@ -479,16 +479,30 @@ const GROWN: usize = 16;
 
 /// The running of the motion over one cycle of the angle from the start.
 fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Notice> {
-    let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
+    let start = begun(machine, study).map_err(|fault| explained(fault, &machine.equations))?;
     let options = turning(machine, study, &start);
     analysis::studies::cycle::running(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
 }
 
-/// The cycle of the machine's own motion from a start.
+/// Where that motion begins; a shaft that the file starts at rest has the uniform rate there, with the rates of all else that go with it.
+fn begun(machine: &Machine, study: &Cycle) -> Result<Vec<f64>, analysis::Fault> {
+    let own = machine.system.start()?;
+    let rate = own[machine.equations.coordinates.len() + angle(machine, study)];
+    match study.speed.filter(|_| rate == 0.0).and_then(|speed| held(machine, study, speed)) {
+        Some(uniform) => uniform.system.start(),
+        None => Ok(own),
+    }
+}
+
+/// Index of the coordinate that is the angle.
+fn angle(machine: &Machine, study: &Cycle) -> usize {
+    machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0)
+}
+
+/// The cycle of the machine's own motion, which begins with the uniform rate: that of the study, else that of the start.
 fn turning(machine: &Machine, study: &Cycle, start: &[f64]) -> Options {
-    let n = machine.equations.coordinates.len();
-    let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
-    let rate = if start[n + angle] == 0.0 { study.speed.unwrap_or(0.0) } else { start[n + angle] };
+    let angle = angle(machine, study);
+    let rate = study.speed.unwrap_or(start[machine.equations.coordinates.len() + angle]);
     let range = TAU * study.turns.abs() * rate.signum();
     Options { angle, range, rate, points: study.points, tolerance: 1e-14 }
 }
