@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::machine::{Machine, explained};
 use crate::results::finite::checked;
 use crate::results::{Alone, Rows, fields};
+use crate::small;
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::dataset::Column;
@@ -101,15 +102,21 @@ impl Study for Rest {
 
 /// Positions of equilibrium, from the start of the motion and from a guess, or all with a coordinate between two values.
 pub fn places(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Results {
-    let outcome = at_rest(machine, guess, over).unwrap_or_else(|fault| Outcome { dataset: Dataset::default(), fault: Some(fault) });
+    let mut outcome = at_rest(machine, guess, over).unwrap_or_else(|fault| Outcome { dataset: Dataset::default(), fault: Some(fault) });
+    let beside = if over.is_none() { small::beside::found(machine, &outcome.dataset) } else { Vec::new() };
+    outcome.dataset.notes.extend(small::beside::notes(machine, &beside));
     watch.lap(Lap::Run);
+    let mut own = fields(json!({"equilibria": listed(&outcome.dataset)}));
+    if !beside.is_empty() {
+        own.insert("beside".into(), small::beside::json(machine, &beside));
+    }
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     checked(Results {
         kind: "equilibrium",
         alone: Alone::Places,
         heading: report::Word::Equilibrium.text(),
         rows: Rows::Beside,
-        own: fields(json!({"equilibria": listed(&data)})),
+        own,
         data,
         trouble: outcome.fault.map(|fault| explained(fault, &machine.equations)),
         ..Results::default()

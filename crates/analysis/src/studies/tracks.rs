@@ -71,7 +71,8 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
     let orders = if is_speed { orders(machine, parameter, largest, &home)? } else { Vec::new() };
     branch.cover(machine, ends)?;
     let coordinates = machine.coordinates().to_vec();
-    let mut run = Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new(), freedom: 0 };
+    let mut run =
+        Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new(), barred: Vec::new(), why: None, freedom: 0 };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
     let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
@@ -99,6 +100,9 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
         before = here.iter().enumerate().map(|(j, s)| s.clone().or_else(|| before.get(j).cloned().flatten())).collect();
         slots.push(here);
     }
+    if let Some(why) = run.why.take_if(|_| !out.known.contains(&true)) {
+        return Err(why);
+    }
     number(&mut slots, before.len());
     let track = |pick: fn(&Mode) -> f64| -> Vec<Vec<f64>> {
         let at = |here: &Vec<Option<Mode>>, j: usize| here.get(j).and_then(Option::as_ref).map_or(f64::NAN, pick);
@@ -114,6 +118,7 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
     out.data.notes.extend(changes::notes(run.branch, &quantity, &coordinates));
     out.data.notes.extend(runs_along(&run.along));
     out.data.notes.extend(run.missing(&quantity, &out));
+    out.data.notes.extend(run.without_modes(&quantity, &out));
     if run.cells > CELLS {
         out.data.notes.push(Text::new(
             "critical speeds are not all located: modes begin and cease to oscillate at random within rounding (a double root, an inertia that is all but zero)",
@@ -147,6 +152,8 @@ fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
 
 /// Code of an equilibrium that is not found.
 const LOST: &str = "S007";
+/// Code of inertia that is not positive.
+const MASSLESS: &str = "S031";
 
 /// Orders that are followed at most.
 const ORDERS: usize = 6;
@@ -201,6 +208,9 @@ struct Run<'m> {
     along: Vec<[f64; 2]>,
     /// Values at which there was none.
     without: Vec<f64>,
+    /// Values at which there are no modes, and why the first has none.
+    barred: Vec<f64>,
+    why: Option<Fault>,
     /// Cells halved so far.
     cells: usize,
     /// Motions that are left at the last value.
@@ -215,6 +225,11 @@ impl Run<'_> {
     fn known(&mut self, value: f64) -> Result<Option<Found>, Fault> {
         match self.modes(value) {
             Err(fault) if fault.code == LOST => Ok(None),
+            Err(fault) if fault.code == MASSLESS => {
+                self.barred.push(value);
+                self.why.get_or_insert(fault);
+                Ok(None)
+            }
             found => found.map(Some),
         }
     }
@@ -254,6 +269,20 @@ impl Run<'_> {
         groups.map(|group| without_rest(group, parameter, roots)).collect()
     }
 
+    /// Values of the table without modes.
+    fn without_modes(&self, parameter: &Quantity, tracks: &Tracks) -> Option<Text> {
+        let why = &self.why.as_ref()?.message.what;
+        let rows = tracks.values.iter().filter(|v| self.barred.contains(v)).map(|v| changes::written(*v, parameter));
+        let (en, ru): (Vec<String>, Vec<String>) = rows.map(|v| (v.en, v.ru)).unzip();
+        let name = &parameter.name;
+        (!en.is_empty()).then(|| {
+            Text::new(
+                format!("no modes at {name} = {}: {} [{MASSLESS}]", en.join(", "), why.en),
+                format!("при {name} = {} собственных движений нет: {} [{MASSLESS}]", ru.join("; "), why.ru),
+            )
+        })
+    }
+
     /// The modes at a value of the parameter, and M.
     fn modes(&mut self, value: f64) -> Result<Found, Fault> {
         self.settle(value)?;
@@ -288,7 +317,7 @@ impl Run<'_> {
     /// oscillations there neither grow nor decay.
     fn threshold(&mut self, [mut a, mut b]: [f64; 2], growth: Growth) -> Result<f64, Fault> {
         let at_a = growth == Growth::Ends;
-        let quiet = self.modes(if at_a { b } else { a })?.0;
+        let Some((quiet, _)) = self.known(if at_a { b } else { a })? else { return Ok(0.5 * (a + b)) };
         let sure = quiet.iter().all(|m| m.kind == Kind::RigidBody || m.root.0 < 0.0);
         let growing = |list: &[Mode]| if sure { list.iter().any(Mode::grows) } else { growing(list) };
         for _ in 0..100 {

@@ -2,6 +2,7 @@
 
 pub mod asked;
 pub mod bent;
+pub mod beside;
 pub mod equation;
 pub mod formulas;
 pub mod load;
@@ -10,6 +11,7 @@ mod remarks;
 pub mod response;
 pub mod show;
 mod strands;
+mod touching;
 
 use crate::machine::Machine;
 use analysis::dataset::Column;

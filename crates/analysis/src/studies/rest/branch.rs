@@ -345,7 +345,11 @@ impl Branch {
         for k in 1..=pieces {
             let value = if k == pieces { to } else { from + (to - from) * k as f64 / pieces as f64 };
             if between(self.last(side).value, value, side) {
+                let (from, changes, stations) = (self.last(side), self.changes.len(), self.arms[side].len());
                 self.cell(machine, side, value)?;
+                if self.changes.len() == changes && self.arms[side].len() > stations + 1 {
+                    self.overlooked(machine, side, &from)?;
+                }
             }
         }
         Ok(())
@@ -762,7 +766,7 @@ const SEEDS: usize = 17;
 const LOST: &str = "S007";
 
 /// Motions that grow without oscillation at a place, with the parameters as they are.
-fn diverging(machine: &mut LinearMachine, place: &Place) -> Result<Vec<Mode>, Fault> {
+pub(super) fn diverging(machine: &mut LinearMachine, place: &Place) -> Result<Vec<Mode>, Fault> {
     let matrices = machine.at(place)?;
     if matrices.drift.is_empty() {
         let along = matrices.allowed().map_or_else(|| matrices.clone(), |(z, k)| matrices.reduced(&z, k));

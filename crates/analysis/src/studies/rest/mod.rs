@@ -2,6 +2,7 @@
 //!
 //! [`report`] is the study of equilibrium for machines with connections; [`branch`] follows one place over a parameter, [`changes`] tells what happened there.
 
+pub mod beside;
 pub mod branch;
 pub mod changes;
 pub mod contacts;
