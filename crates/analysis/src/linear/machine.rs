@@ -515,6 +515,11 @@ impl LinearMachine {
         vec![zero; self.names.len()]
     }
 
+    /// A symbol of the equations as a formula, that of a reaction say.
+    pub fn symbol(&mut self, symbol: SymbolId) -> Expr {
+        self.linear.graph.symbol(symbol)
+    }
+
     /// The harmonics of generalized forces (by coordinate) of the equations that were linearised; none when they are not harmonic.
     ///
     /// *Errors*: a formula without a value somewhere in the period.

@@ -75,8 +75,9 @@ impl LinearMachine {
     pub fn whole(&mut self, formulas: &[Expr]) -> Result<Values, Fault> {
         let zero = self.linear.graph.zero();
         let equations = Arc::clone(&self.equations);
-        let over_reactions = |e: Expr| equations.graph.contains(e, |s| equations.reactions.iter().any(|r| r.symbol == s));
-        let one = |e: &Expr| if over_reactions(*e) { zero } else { self.linear.output(&equations, *e).whole };
+        let over_reactions =
+            |linear: &symbolic::Linear, e: Expr| linear.graph.contains(e, |s| equations.reactions.iter().any(|r| r.symbol == s));
+        let one = |e: &Expr| if over_reactions(&self.linear, *e) { zero } else { self.linear.output(&equations, *e).whole };
         let list: Vec<Expr> = formulas.iter().map(one).collect();
         self.learn()?;
         self.prepare(&list)

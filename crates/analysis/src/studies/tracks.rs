@@ -100,9 +100,7 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
         before = here.iter().enumerate().map(|(j, s)| s.clone().or_else(|| before.get(j).cloned().flatten())).collect();
         slots.push(here);
     }
-    if let Some(why) = run.why.take_if(|_| !out.known.contains(&true)) {
-        return Err(why);
-    }
+    run.refuse_nothing(&out)?;
     number(&mut slots, before.len());
     let track = |pick: fn(&Mode) -> f64| -> Vec<Vec<f64>> {
         let at = |here: &Vec<Option<Mode>>, j: usize| here.get(j).and_then(Option::as_ref).map_or(f64::NAN, pick);
@@ -267,6 +265,14 @@ impl Run<'_> {
             )
         };
         groups.map(|group| without_rest(group, parameter, roots)).collect()
+    }
+
+    /// *Errors*: why there are no modes, where no value of the table has some.
+    fn refuse_nothing(&mut self, tracks: &Tracks) -> Result<(), Fault> {
+        match self.why.take_if(|_| !tracks.known.contains(&true)) {
+            Some(why) => Err(why),
+            None => Ok(()),
+        }
     }
 
     /// Values of the table without modes.

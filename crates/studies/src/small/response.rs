@@ -9,7 +9,7 @@ use crate::small::load::{self, Meant};
 use crate::small::remarks::{
     axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, reference, unstable,
 };
-use crate::small::strands::{self, Slack};
+use crate::small::strands::{self, Slack, Watched};
 use crate::small::{Small, about_rest, timing_notes};
 use crate::wording::Word as Say;
 use analysis::System;
@@ -236,9 +236,15 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     let places: Vec<f64> = omegas.iter().copied().chain(own).chain(peaks).chain(natural).collect();
     let known = |push: &Push| machine.system.refusal(push.output).is_none();
     let pushes = plan::pushes(&machine.model, &machine.equations).into_iter().filter(known);
-    let pushes: Vec<(Push, Expr)> = pushes.map(|push| (push.clone(), machine.equations.outputs[push.output].formula)).collect();
+    let both_ways = |push: Push| {
+        let formula = machine.equations.outputs[push.output].formula;
+        Watched { name: push.name.clone(), formula, kind: strands::Kind::BothWays(push) }
+    };
+    let pushes: Vec<Watched> = pushes.map(both_ways).collect();
     let rest = (&small.place, small.starts.as_slice());
-    out.slack = strands::slack(&mut small.machine, rest, &pushes, load, ([omegas[0], omegas[omegas.len() - 1]], &places))?;
+    let along = ([omegas[0], omegas[omegas.len() - 1]], places.as_slice());
+    out.slack = strands::slack(&mut small.machine, rest, &pushes, load.clone(), along)?;
+    out.slack.extend(strands::touched(&mut small.machine, rest, small.contacts.as_ref(), load, along));
     data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
     out.coordinates = names;
     out.outputs = quantities;
@@ -678,7 +684,13 @@ fn to_json(found: &ResponseFound) -> Map<String, Value> {
         own.insert("changes".into(), json!(super::modes::changes_json(&found.changes)));
     }
     let slack = |s: &Slack| s.bands.iter().map(|[from, to]| json!({"of": s.name, "from": from, "to": to})).collect::<Vec<_>>();
-    own.insert("slack".into(), json!(found.slack.iter().flat_map(slack).collect::<Vec<_>>()));
+    own.insert("slack".into(), json!(found.slack.iter().filter(|s| s.contact.is_none()).flat_map(slack).collect::<Vec<_>>()));
+    let touching = |s: &Slack| {
+        s.contact.map(
+            |(change, level)| json!({"of": s.name, "change": change, "bands": s.bands, "load_share": level.share, "omega": level.omega}),
+        )
+    };
+    own.insert("touching".into(), found.slack.iter().filter_map(touching).collect());
     own.insert("shapes".into(), found.shapes.iter().map(|p| point(found, p)).collect());
     own
 }

@@ -1,10 +1,12 @@
-//! Strands of belts that only pull and tracks that only push, in forced oscillations: at which frequencies the motion asks for more.
+//! Strands of belts that only pull, tracks and stops that only push, in forced oscillations: at which frequencies the motion asks for more.
 
+use super::touching::{self, Level, Touching};
 use analysis::Fault;
 use analysis::linear::{LinearMachine, Place};
 use analysis::marks::pushes::{Beyond, Push};
 use analysis::studies::least::{Least, least};
 use analysis::studies::response::{Forced, Source};
+use analysis::studies::rest::contacts::Contacts;
 use symbolic::Expr;
 use words::{Language, Text};
 
@@ -13,33 +15,55 @@ const ROUNDING: f64 = 1e-9;
 /// Halvings of an interval in which a bound lies.
 const HALVINGS: usize = 40;
 
-/// A force that has the wrong sign at times.
+/// A force or a gap that must not be negative.
+#[derive(Clone, Debug)]
+pub struct Watched {
+    /// `slack_side(S)`, `normal(F)` or `force(S)`.
+    pub name: String,
+    /// What it is.
+    pub formula: Expr,
+    /// What holds it.
+    pub kind: Kind,
+}
+
+/// What must not be negative.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// A connection that the equations hold both ways.
+    BothWays(Push),
+    /// A one-sided contact as it stands at rest.
+    Contact(Touching),
+}
+
+/// A force or a gap that has the wrong sign at times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slack {
-    /// `slack_side(S)` or `normal(F)`.
+    /// `slack_side(S)`, `normal(F)` or `force(S)`.
     pub name: String,
     /// Frequencies from and to, rad/s.
     pub bands: Vec<[f64; 2]>,
+    /// Of a contact: `opens` or `closes`, and from which share of the load on, where that is least.
+    pub contact: Option<(&'static str, Level)>,
     /// In words.
     pub remark: Text,
 }
 
-/// Forces of the wrong sign at frequencies in `ends`; `places` are where it is looked, in any order, also outside. `pushes` come with their formulas.
+/// Forces and gaps of the wrong sign at frequencies in `ends`; `places` are where it is looked, in any order, also outside.
 ///
 /// # Errors
 /// A formula has no value at one of the frequencies.
 pub fn slack(
     machine: &mut LinearMachine,
     rest: (&Place, &[Vec<f64>]),
-    pushes: &[(Push, Expr)],
+    watched: &[Watched],
     (source, parameter): (Source, Option<usize>),
     (ends, places): ([f64; 2], &[f64]),
 ) -> Result<Vec<Slack>, Fault> {
     // a unit load has no size
-    if pushes.is_empty() || matches!(source, Source::Unit(_)) {
+    if watched.is_empty() || matches!(source, Source::Unit(_)) {
         return Ok(Vec::new());
     }
-    let (pushes, formulas): (Vec<&Push>, Vec<Expr>) = pushes.iter().map(|(push, formula)| (push, *formula)).unzip();
+    let formulas: Vec<Expr> = watched.iter().map(|w| w.formula).collect();
     let own = parameter.map(|p| machine.value(p));
     let mut forced = Forced::new(machine, rest, source, parameter, &formulas)?;
     forced.cover(ends)?;
@@ -48,14 +72,25 @@ pub fn slack(
     omegas.dedup();
     let rows = omegas.iter().map(|w| least(&mut forced, *w)).collect::<Result<Vec<_>, _>>()?;
     let mut list = Vec::new();
+    let mut first = 0;
     // both strands of a belt are one name
-    for both in pushes.chunk_by(|a, b| a.name == b.name) {
-        let first = pushes.iter().position(|push| push.name == both[0].name).unwrap_or(0);
-        let wrong = |row: &[Least]| row[first..first + both.len()].iter().any(is_wrong);
+    for both in watched.chunk_by(|a, b| a.name == b.name) {
+        let own = first..first + both.len();
+        first = own.end;
+        let wrong = |row: &[Least]| row[own.clone()].iter().any(is_wrong);
         let holds: Vec<bool> = rows.iter().map(|row| wrong(row)).collect();
         let found = bands(&omegas, &holds, |w| Ok(wrong(&least(&mut forced, w)?)))?;
         if !found.is_empty() {
-            list.push(Slack { name: both[0].name.clone(), remark: remark(both[0], &found), bands: found });
+            let levels = omegas.iter().zip(&rows).map(|(omega, row)| Level { share: share(&row[own.start]), omega: *omega });
+            let lowest = levels.min_by(|a, b| a.share.total_cmp(&b.share));
+            let (contact, remark) = match (&both[0].kind, lowest) {
+                (Kind::Contact(contact), Some(level)) => {
+                    (Some((contact.change(), level)), touching::remark(contact, &listed(&found), level))
+                }
+                (Kind::Contact(_), None) => continue,
+                (Kind::BothWays(push), _) => (None, remark(push, &found)),
+            };
+            list.push(Slack { name: both[0].name.clone(), remark, bands: found, contact });
         }
     }
     own.map_or(Ok(()), |value| forced.restore(value))?;
@@ -64,6 +99,41 @@ pub fn slack(
 
 fn is_wrong(force: &Least) -> bool {
     force.least < -ROUNDING * force.mean.abs()
+}
+
+/// Contacts that change within the amplitudes. One whose force is not unique (a bar on three stops) says nothing.
+pub(super) fn touched(
+    machine: &mut LinearMachine,
+    rest: (&Place, &[Vec<f64>]),
+    contacts: Option<&Contacts>,
+    load: (Source, Option<usize>),
+    along: ([f64; 2], &[f64]),
+) -> Vec<Slack> {
+    let one = |(name, formula, touching): (String, Expr, Touching)| Watched { name, formula, kind: Kind::Contact(touching) };
+    let watched: Vec<Watched> = touching::contacts(machine, contacts).into_iter().map(one).collect();
+    let own = load.1.map(|p| (p, machine.value(p)));
+    let mut look = |list: &[Watched]| {
+        let found = slack(machine, rest, list, load.clone(), along);
+        if let (Err(_), Some((parameter, value))) = (&found, own) {
+            // formulas had a value for it before
+            machine.set(parameter, value).ok();
+        }
+        found
+    };
+    match look(&watched) {
+        Ok(found) => found,
+        Err(_) => watched.iter().filter_map(|contact| look(std::slice::from_ref(contact)).ok()).flatten().collect(),
+    }
+}
+
+/// Share of the load at which a value that must not be negative comes to zero.
+fn share(value: &Least) -> f64 {
+    let room = value.mean - value.least;
+    match () {
+        () if value.mean <= 0.0 => 0.0,
+        () if room > 0.0 => value.mean / room,
+        () => f64::INFINITY,
+    }
 }
 
 /// Intervals of the frequencies for which something holds, their bounds halved in.
@@ -92,13 +162,17 @@ fn bound(mut not: f64, mut held: f64, at: &mut impl FnMut(f64) -> Result<bool, F
     Ok(held)
 }
 
-fn remark(push: &Push, bands: &[[f64; 2]]) -> Text {
+fn listed(bands: &[[f64; 2]]) -> Text {
     let list = |language| {
         let number = |x| report::number::short(x, 6, language);
         let band = |[a, b]: &[f64; 2]| if a == b { number(*a) } else { format!("{} … {}", number(*a), number(*b)) };
         bands.iter().map(band).collect::<Vec<_>>().join("; ")
     };
-    let (en, ru, Text { en: name, ru: name_ru }) = (list(Language::En), list(Language::Ru), &push.label);
+    Text::new(list(Language::En), list(Language::Ru))
+}
+
+fn remark(push: &Push, bands: &[[f64; 2]]) -> Text {
+    let (Text { en, ru }, Text { en: name, ru: name_ru }) = (listed(bands), &push.label);
     match push.beyond {
         Beyond::Ends => Text::new(
             format!(

@@ -364,7 +364,6 @@ fn prepare<'s, 'o, S: System + ?Sized>(
             }
             if options.settle > 0.0 {
                 x = settled_phase(system, start, *period, options, &search.flow)?;
-                search.turns.unwind(&mut x);
             }
             search.sections = vec![Section::Time(*period * options.returns as f64)];
             search.name = Text::new("the motion", "движение");
@@ -380,11 +379,11 @@ fn prepare<'s, 'o, S: System + ?Sized>(
             if options.settle > 0.0 && named.is_some() {
                 x = search.in_phase(system, x, start)?;
             }
-            // whole turns that angles made while the motion settled go, and with them no digits
-            search.turns.unwind(&mut x);
-            search.aim(&x);
         }
     }
+    // whole turns that angles made while the motion settled go, and with them no digits
+    search.turns.unwind(&mut x);
+    search.aim(&x);
     Ok((search, x))
 }
 
