@@ -637,8 +637,8 @@ fn no_load() -> Fault {
         code: "S032",
         what: Text::new("nothing excites the machine harmonically", "гармонической нагрузки нет"),
         why: Text::new(
-            "no force, torque or base motion of the form A sin(p*t) or A cos(p*t) acts, or its amplitude is zero",
-            "нет силы, момента или движения основания вида A sin(p*t) или A cos(p*t), либо амплитуда равна нулю",
+            "no force, torque or base motion of the form A sin(p*t) or A cos(p*t) acts along a coordinate (one that supports alone bear moves nothing), or its amplitude is zero",
+            "вдоль координат не действует ни сила, ни момент, ни движение основания вида A sin(p*t) или A cos(p*t) (нагрузка, целиком воспринимаемая опорами, ничего не движет), либо амплитуда равна нулю",
         ),
         help: Text::new(
             "name a load: load = \"x\" puts a unit load on the coordinate x",
