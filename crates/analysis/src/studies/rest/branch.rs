@@ -345,11 +345,7 @@ impl Branch {
         for k in 1..=pieces {
             let value = if k == pieces { to } else { from + (to - from) * k as f64 / pieces as f64 };
             if between(self.last(side).value, value, side) {
-                let (from, changes, stations) = (self.last(side), self.changes.len(), self.arms[side].len());
                 self.cell(machine, side, value)?;
-                if self.changes.len() == changes && self.arms[side].len() > stations + 1 {
-                    self.overlooked(machine, side, &from)?;
-                }
             }
         }
         Ok(())
