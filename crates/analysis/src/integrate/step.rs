@@ -1,7 +1,6 @@
 //! One accepted step: the Taylor polynomials of all states, which are the dense output.
 
 use super::series::Series;
-use super::stiff::Collocation;
 use crate::{Mode, System};
 use algebra::sum::Instant;
 
@@ -51,16 +50,6 @@ impl Step {
         for i in 0..n_guards {
             self.guards.push(system.guard(i));
         }
-    }
-
-    /// Takes the polynomials of an implicit step from the state x.
-    pub(super) fn take_implicit(&mut self, engine: &Collocation, x: &[f64]) {
-        self.order = engine.degree();
-        self.implicit = true;
-        let (states, guards) = engine.polynomials();
-        self.states.clone_from(states);
-        x.iter().enumerate().for_each(|(k, x)| self.states.set_first(k, *x));
-        self.guards.clone_from(guards);
     }
 
     /// End of the step.

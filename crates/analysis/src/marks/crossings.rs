@@ -2,7 +2,7 @@
 //!
 //! Between n + 1 Bernstein coefficients there are at least as many sign changes as roots, and the difference is even (Descartes): no change, no root;
 //! one, exactly one. Otherwise the interval is halved (de Casteljau). Coefficients below `noise` count as zero, so that a touch of zero and a pair of
-//! roots nearer than rounding can tell are no change of sign. *Source*: see [`crate::integrate::events::roots`].
+//! roots nearer than rounding can tell are no change of sign. *Source*: see [`crate::integrate::crossings::roots`].
 
 use algebra::elementary;
 

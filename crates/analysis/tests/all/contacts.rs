@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use analysis::integrate::events::{Change, Switch};
+use analysis::integrate::crossings::{Change, Switch};
 use analysis::{GuardKind, Mode};
 use common::*;
 

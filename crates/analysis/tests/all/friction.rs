@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use analysis::integrate::events::Switch;
+use analysis::integrate::crossings::Switch;
 use analysis::{Fault, GuardKind, Mode};
 use common::*;
 

@@ -128,7 +128,7 @@ mod switching {
     use analysis::integrate::taylor::Options;
 
     /// Switches until the end: (t, guard, before, after) and the final state.
-    fn follow(b: &Build, end: f64) -> (Vec<analysis::integrate::events::Switch>, Vec<f64>) {
+    fn follow(b: &Build, end: f64) -> (Vec<analysis::integrate::crossings::Switch>, Vec<f64>) {
         let mut machine = assembled(b).unwrap();
         let start = machine.start().unwrap();
         let options = Options { span: end, ..Options::default() };
@@ -342,9 +342,12 @@ mod switching {
         // in sequence, u the speed of the fall, e = 1/2: hammer and block leave with u/8 and -3u/8; the ground turns the block round, 3u/16; it closes on the
         // hammer with u/16, which gives it e u/16 and takes 1.5 u/64 from the block
         let speed = 9.81 * fall;
-        let rates: Vec<[f64; 2]> = (switches.iter().filter(|s| (s.t - fall).abs() < ROUNDING))
-            .map(|s| if let analysis::integrate::events::Change::Impact { rates, .. } = s.change { rates } else { panic!("{switches:?}") })
-            .collect();
+        let rates: Vec<[f64; 2]> =
+            (switches.iter().filter(|s| (s.t - fall).abs() < ROUNDING))
+                .map(|s| {
+                    if let analysis::integrate::crossings::Change::Impact { rates, .. } = s.change { rates } else { panic!("{switches:?}") }
+                })
+                .collect();
         let wanted = [[0.0, 3.0 / 16.0 - 1.5 / 64.0], [-1.0, 1.0 / 32.0]];
         for (rates, wanted) in rates.iter().flatten().zip(wanted.iter().flatten()) {
             assert!((rates - wanted * speed).abs() < MOVED, "{switches:?}");

@@ -198,7 +198,12 @@ pub fn pushed_block(f: f64, mu: f64) -> Hand {
 }
 
 /// Runs to `end` and returns the state there and the switches.
-pub fn run(system: &mut Hand, x: &[f64], end: f64, tolerance: f64) -> Result<(Vec<f64>, Vec<analysis::integrate::events::Switch>), Fault> {
+pub fn run(
+    system: &mut Hand,
+    x: &[f64],
+    end: f64,
+    tolerance: f64,
+) -> Result<(Vec<f64>, Vec<analysis::integrate::crossings::Switch>), Fault> {
     let options = analysis::integrate::taylor::Options { tolerance, span: end, ..Default::default() };
     let mut flow = analysis::integrate::taylor::Flow::start(system, 0.0, x, &options)?;
     let mut switches = vec![];

@@ -1,9 +1,10 @@
 //! Belts without slip, open or crossed, with a pretension or without.
 
 use super::common::keys::{CARRIER, RADII, WHEELS, table};
+use super::common::made::Made;
 use super::common::reading::Space;
 use super::common::wheels::{self, components};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::formula::Context;
 use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::Strands;

@@ -1,9 +1,10 @@
 //! Chains: open belts whose slack strand carries nothing.
 
 use super::common::keys::{CARRIER, RADII, WHEELS, table};
+use super::common::made::Made;
 use super::common::reading::{Space, choose};
 use super::common::wheels::{self, components};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::Strands;
 use crate::reader::{Fields, Reader};

@@ -7,8 +7,9 @@ pub(crate) use sliding::order;
 
 use super::common::component::Component;
 use super::common::keys::{ALONG, BETWEEN, ON_BODY, table};
+use super::common::made::Made;
 use super::common::reading::Space;
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::{Connection, ConnectionKind, Part, Pressing, Reliance, RequestKind, Slides};

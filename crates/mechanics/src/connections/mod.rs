@@ -25,9 +25,9 @@ mod threads;
 mod welds;
 
 pub(crate) use common::component::{Component, Doubt, Nature, Pull, Rubbing};
+pub(crate) use common::made::Made;
 pub(crate) use common::reading::{Space, choose, frame, point};
 pub(crate) use common::strands::{pretension, tensions, watched};
-pub(crate) use row::Made;
 pub use row::Row;
 
 use crate::model::Connection;

@@ -3,8 +3,9 @@
 use super::common::component::{Component, Nature, effort, path};
 use super::common::faults;
 use super::common::keys::{ALONG, BETWEEN, ON_BODY, table};
+use super::common::made::Made;
 use super::common::reading::{Space, pathway};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::keys::{LABEL, TableSpec};
 use crate::model::{Connection, ConnectionKind, Part};
 use crate::reader::{Fields, Reader};

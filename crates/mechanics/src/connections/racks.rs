@@ -1,9 +1,10 @@
 //! Gears on racks: no slip along the line, and nothing that carries the gear.
 
 use super::common::keys::{CENTER, DIRECTION, RADIUS, SIDE, table};
+use super::common::made::Made;
 use super::common::reading::{Space, direction, word};
 use super::common::tracks::{Wheel, components, wheel};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{ConnectionKind, Part, Track};
 use crate::reader::{Fields, Reader};

@@ -3,8 +3,9 @@
 use super::common::component::{Component, length_of, path};
 use super::common::faults;
 use super::common::keys::{LENGTH, TWO_POINTS, table};
+use super::common::made::Made;
 use super::common::reading::{Space, length, two_points};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::keys::{LABEL, TableSpec};
 use crate::model::{Connection, ConnectionKind, Part, Pathway, PointRef};
 use crate::reader::{Fields, Reader};

@@ -1,9 +1,10 @@
 //! Rolling on a line or a circle: the contact point of the wheel has the velocity of the track there, the centre keeps its distance.
 
 use super::common::keys::{CENTER, DIRECTION, ON_FRAME, RADIUS, SIDE, THROUGH, table};
+use super::common::made::Made;
 use super::common::reading::{Space, direction, fixed_in, restitution, size, word};
 use super::common::tracks::{Wheel, components, wheel};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::formula::Context;
 use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{ConnectionKind, FrameId, Part, Track};

@@ -2,9 +2,10 @@
 
 use super::common::component::{Component, Nature, length_of};
 use super::common::keys::{LENGTH, RESTITUTION, table};
+use super::common::made::Made;
 use super::common::reading::{Space, choose, frame, length, point_named, restitution, same_thing, size};
 use super::common::{axles, drums, faults};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::formula::Context;
 use crate::keys::{Field, LABEL, TableSpec, Type, may, must};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, Wound};

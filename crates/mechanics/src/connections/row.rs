@@ -1,15 +1,14 @@
-//! A row of the table of connections, and what its reader makes.
+//! A row of the table of connections.
 
 use super::common::component::Component;
+use super::common::made::Made;
 use super::common::reading::Space;
-use crate::formula::Kind;
 use crate::keys::{Field, TableSpec, Type, Words, may};
-use crate::model::{Connection, ConnectionKind, Part};
+use crate::model::Connection;
 use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
 use crate::scene::requests::Resolver;
 use crate::scene::{Found, Scene};
-use crate::units::Dimension;
 
 /// A kind of connection.
 #[derive(Clone, Copy)]
@@ -32,39 +31,5 @@ impl Row {
     /// Key of its table on the top level.
     pub const fn top(&self) -> Field {
         may(self.keys.name, Type::Table, "", "", self.listed, "")
-    }
-}
-
-/// What was read.
-pub(crate) struct Made {
-    /// What it does.
-    pub kind: ConnectionKind,
-    /// The components of its reaction that formulas may name.
-    pub parts: Vec<(Part, Kind)>,
-    /// Dimension of `force`.
-    pub force: Kind,
-}
-
-impl Made {
-    /// A connection whose reaction is a force in newtons, without components so far.
-    pub fn of(kind: ConnectionKind) -> Made {
-        Made { kind, parts: Vec::new(), force: Kind::Known(Dimension::FORCE) }
-    }
-
-    /// One whose only reaction acts along a formula.
-    pub fn along(kind: ConnectionKind, force: Kind) -> Made {
-        Made { kind, parts: vec![(Part::Force, force)], force }
-    }
-
-    /// With these forces.
-    pub fn forces(mut self, parts: &[Part]) -> Made {
-        self.parts.extend(parts.iter().map(|part| (*part, Kind::Known(Dimension::FORCE))));
-        self
-    }
-
-    /// With these moments.
-    pub fn moments(mut self, parts: &[Part]) -> Made {
-        self.parts.extend(parts.iter().map(|part| (*part, Kind::Known(Dimension::ENERGY))));
-        self
     }
 }

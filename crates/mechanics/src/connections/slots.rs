@@ -1,8 +1,9 @@
 //! Slots: the pin of one body stays on a straight line of another, as a slider that turns.
 
 use super::common::keys::{DIRECTION, ON_FRAME, THROUGH, table};
+use super::common::made::Made;
 use super::common::reading::Space;
-use super::row::{Made, Row};
+use super::row::Row;
 use super::sliders::{ACROSS, Line, components, guide};
 use crate::keys::{LABEL, TableSpec, Type, must};
 use crate::model::ConnectionKind;

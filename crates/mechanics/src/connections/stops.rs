@@ -3,8 +3,9 @@
 use super::common::component::{Component, Nature, effort, path};
 use super::common::faults;
 use super::common::keys::{ALONG, BETWEEN, ON_BODY, RESTITUTION, table};
+use super::common::made::Made;
 use super::common::reading::{Space, one_of, pathway, restitution, restitution_by, word};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::formula::{Context, Kind};
 use crate::keys::{LABEL, TableSpec, Type, may};
 use crate::model::{Connection, ConnectionKind, Part, Pathway};

@@ -3,9 +3,10 @@
 use super::common::axes::axes_of;
 use super::common::component::{Component, in_axis, labelled, moment_about};
 use super::common::keys::{AXES, table};
+use super::common::made::Made;
 use super::common::reading::{Space, choose, frame, point};
 use super::common::{faults, held};
-use super::row::{Made, Row};
+use super::row::Row;
 use crate::formula::Kind;
 use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, SupportDirection};

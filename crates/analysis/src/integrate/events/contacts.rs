@@ -4,7 +4,7 @@
 //! are set: 0 for a contact, 0 or ± its static limit for a friction. By the theory of linear inequalities the forces that agree with all limits, if there
 //! are any, include some of exactly this kind (the corners of their polyhedron), so that nothing breaks away too early or too late.
 
-use super::happened::Verdict;
+use crate::integrate::crossings::Verdict;
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 

@@ -15,7 +15,7 @@
 use crate::integrate::taylor::Flow;
 use crate::{Blow, Fault, GuardKind, Mode, System};
 
-use super::happened::{Hit, Impact, opposite};
+use crate::integrate::crossings::{Hit, Impact, opposite};
 
 /// Share of the time below which the impacts still to come are one instant.
 const REST: f64 = 4e-15;

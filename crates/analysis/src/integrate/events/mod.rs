@@ -1,15 +1,8 @@
-//! Events: the first root of a guard inside a step, impacts, and the modes that hold after it.
+//! What holds after an event: impacts, and the modes of the next step.
 
-mod bounds;
 mod contacts;
-mod happened;
 mod impacts;
 mod modes;
 mod nearest;
 mod rivals;
 mod sides;
-pub(crate) use bounds::{BoundState, STILL, size};
-pub use happened::{Change, Rival, Switch};
-pub(crate) use happened::{Hit, opposite};
-pub mod roots;
-pub mod words;

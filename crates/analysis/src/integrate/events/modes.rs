@@ -21,7 +21,7 @@ use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
 use super::contacts;
-use super::happened::{Change, Impact, Switch, Verdict, opposite};
+use crate::integrate::crossings::{Change, Impact, Switch, Verdict, opposite};
 
 /// Most combinations that are tried one by one.
 const COMBINED: usize = 3000;

@@ -8,7 +8,7 @@
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 
-use super::happened::Verdict;
+use crate::integrate::crossings::Verdict;
 
 /// Most sets that are tried.
 const TRIED: usize = 64;

@@ -10,7 +10,7 @@ use crate::integrate::taylor::{Flow, Work};
 use crate::system::TouchLaw;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
-use super::happened::{Rival, opposite};
+use crate::integrate::crossings::{Rival, opposite};
 
 /// Most sets that are tried at an instant; those that differ in least come first.
 const TRIED: usize = 64;

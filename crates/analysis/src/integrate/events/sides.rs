@@ -15,8 +15,8 @@
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
-use super::bounds::{BoundState, REACHED, SIGNIFICANT_LEAVING, STILL, judge_bound, leading_term, size};
-use super::happened::opposite;
+use crate::integrate::crossings::opposite;
+use crate::integrate::crossings::{BoundState, REACHED, SIGNIFICANT_LEAVING, STILL, judge_bound, leading_term, size};
 
 /// Share of the guard's change within a step below which a Taylor coefficient is rounding. Were it taken for more, the mode would be corrected by a
 /// second switch that share of a step later.

@@ -5,6 +5,7 @@ use super::newton::{Newton, Outcome};
 use super::nodes::{Base, Counts, Stages};
 use super::radau::{Tableau, stages};
 use super::scales::Scales;
+use crate::integrate::Step;
 use crate::integrate::series::Series;
 use crate::proxies::points::Points;
 use crate::{Fault, Jacobian, System};
@@ -92,9 +93,13 @@ impl Collocation {
     pub(crate) fn counts(&self) -> &Counts {
         &self.counts
     }
-    /// Polynomials of x - x(0), row by state, and of the guards.
-    pub(crate) fn polynomials(&self) -> (&Series, &Series) {
-        (&self.powers, &self.guard_powers)
+    /// Writes its polynomials, from the state x on, into a step.
+    pub(crate) fn give(&self, step: &mut Step, x: &[f64]) {
+        step.order = self.degree();
+        step.implicit = true;
+        step.states.clone_from(&self.powers);
+        x.iter().enumerate().for_each(|(k, x)| step.states.set_first(k, *x));
+        step.guards.clone_from(&self.guard_powers);
     }
     /// x at the end minus x at the start.
     pub(crate) fn change(&self) -> &[f64] {

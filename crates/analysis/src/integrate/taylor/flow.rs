@@ -5,8 +5,8 @@ use super::length::Rule;
 use super::options::{Check, Work};
 use super::over::Passage;
 use crate::integrate::Step;
-use crate::integrate::events::roots::RootFinder;
-use crate::integrate::events::{Hit, Rival, Switch};
+use crate::integrate::crossings::roots::RootFinder;
+use crate::integrate::crossings::{Hit, Rival, Switch};
 use crate::{Blow, Fault, Mode, System, Tie};
 use algebra::sum::Instant;
 

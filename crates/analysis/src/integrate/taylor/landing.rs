@@ -79,7 +79,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// Takes the step that holds up to its end or to the first event in it.
     fn land(&mut self, engine: &mut Collocation, (h, growth): (f64, f64), target: f64) -> Result<Landing, Fault> {
-        self.step.take_implicit(engine, &self.x);
+        engine.give(&mut self.step, &self.x);
         let full = h >= self.now.until(target);
         let (length, ending) = self.shorten_to_event(h);
         self.evaluate(length);

@@ -1,7 +1,7 @@
 //! Adaptive Taylor integrator with dense output and exact events.
 //!
 //! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
-//! polynomial event functions ([`crate::integrate::events::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
+//! polynomial event functions ([`crate::integrate::crossings::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
 //!
 //! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly, and never
 //!    across what an operation does beyond its polynomial ([`System::faithful`]);
@@ -24,7 +24,7 @@ mod turns;
 use words::Text;
 
 use super::{Step, step};
-use crate::integrate::events::roots::RootFinder;
+use crate::integrate::crossings::roots::RootFinder;
 use crate::{Fault, Mode, System, Tie};
 use accept::Defect;
 use algebra::sum::{Instant, two_sum};
@@ -332,7 +332,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         self.loads = self.largest_load(|i| self.trial.guards.row(i), self.natural);
         for (i, scale) in self.guard_scale.iter_mut().enumerate() {
-            *scale = scale.max(crate::integrate::events::size(self.trial.guards.row(i), self.natural));
+            *scale = scale.max(crate::integrate::crossings::size(self.trial.guards.row(i), self.natural));
         }
         Ok(())
     }

@@ -2,8 +2,8 @@
 
 use super::flow::{Ending, Flow};
 use crate::integrate::Step;
-use crate::integrate::events::roots::surely_no_root;
-use crate::integrate::events::{BoundState, Change, opposite};
+use crate::integrate::crossings::roots::surely_no_root;
+use crate::integrate::crossings::{BoundState, Change, opposite};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
 
@@ -98,7 +98,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// A normal force that is rounding of the others.
     fn is_no_load(&self, i: usize, h: f64) -> bool {
         matches!(self.system.guards()[i].kind, GuardKind::Normal { .. })
-            && crate::integrate::events::size(self.step.guards.row(i), h) <= NO_LOAD * self.loads
+            && crate::integrate::crossings::size(self.step.guards.row(i), h) <= NO_LOAD * self.loads
     }
 
     /// A friction that nothing presses, and what the integrator alone sets.
@@ -144,7 +144,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// What counts as small for a guard: its terms in the last step. A guard that stands still keeps its scale.
     pub(super) fn remember_guard_scales(&mut self) {
         for i in 0..self.modes.len() {
-            let size = crate::integrate::events::size(self.step.guards.row(i), self.step.length);
+            let size = crate::integrate::crossings::size(self.step.guards.row(i), self.step.length);
             let kept = if self.modes[i] == Mode::Zero { self.guard_scale[i] } else { 0.0 };
             self.guard_scale[i] = size.max(kept);
             self.guard_noise[i] = 8.0 * f64::EPSILON * size;
@@ -180,7 +180,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             _ => {}
         }
         match self.modes[i] {
-            Mode::Zero => crate::integrate::events::size(g, self.guess) > crate::integrate::events::STILL * self.guard_scale[i],
+            Mode::Zero => crate::integrate::crossings::size(g, self.guess) > crate::integrate::crossings::STILL * self.guard_scale[i],
             mode => value * mode.sign() < 0.0,
         }
     }

@@ -14,7 +14,7 @@ use super::orbit::{Jump, Orbit};
 use super::slopes::{derivative, slopes};
 use super::square::Square;
 use super::variation::{self, Chain, Stretch};
-use crate::integrate::events::{Change, Switch};
+use crate::integrate::crossings::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
 

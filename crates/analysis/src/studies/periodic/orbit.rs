@@ -2,8 +2,8 @@
 
 use super::listener::{Listener, Stage};
 use crate::integrate::Step;
-use crate::integrate::events::Switch;
-use crate::integrate::events::roots::RootFinder;
+use crate::integrate::crossings::Switch;
+use crate::integrate::crossings::roots::RootFinder;
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
 

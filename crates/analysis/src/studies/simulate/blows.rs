@@ -5,7 +5,7 @@ use words::Text;
 use super::run::{Run, jumps};
 use crate::audits::impacts::relative;
 use crate::dataset::{Audit, Impulse};
-use crate::integrate::events::{Change, Switch};
+use crate::integrate::crossings::{Change, Switch};
 use crate::integrate::taylor::Flow;
 use crate::system::{Blow, Touch, TouchLaw};
 use crate::{GuardKind, Mode, System};

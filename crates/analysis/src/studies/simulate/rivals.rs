@@ -5,7 +5,7 @@ use words::digits::{number, rounded};
 
 use crate::System;
 use crate::dataset::Impulse;
-use crate::integrate::events::words::rivals;
+use crate::integrate::crossings::words::rivals;
 use crate::integrate::taylor::Flow;
 
 /// The first of such instants, what frictions would do in the other motion, and how many instants there are.

@@ -7,6 +7,7 @@ pub mod drums;
 pub mod faults;
 pub mod held;
 pub mod keys;
+pub mod made;
 pub mod pair;
 pub mod reading;
 pub mod strands;

@@ -12,10 +12,10 @@
 use super::component::{Component, Doubt};
 use super::drums::is_fixed;
 use super::faults;
+use super::made::Made;
 use super::pair::{Line, Pair, label, pair};
 use super::reading::{Space, frame, positive, rigid, same_thing};
 use super::strands;
-use crate::connections::row::Made;
 use crate::formula::Context;
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, Strands};
 use crate::reader::names::{frame_by_name, two_names};

@@ -3,23 +3,23 @@
 use crate::Mode;
 
 /// Share of a guard's own scale below which it counts as standing still on its surface.
-pub(crate) const STILL: f64 = 1e-11;
+pub(in crate::integrate) const STILL: f64 = 1e-11;
 
 /// The same for a guard that leaves `Zero`: the instant of the crossed limit is rounded, and what vanishes there (the acceleration of a break-away
 /// with equal limits, of a contact that opens) is left over as rounding of the time times the next coefficient.
-pub(super) const SIGNIFICANT_LEAVING: f64 = 1e-10;
+pub(in crate::integrate) const SIGNIFICANT_LEAVING: f64 = 1e-10;
 
 /// Share of the limits of a friction, or of the size of a contact force, below which a limit counts as just reached: the reaction comes from a
 /// linear solve in which larger forces may meet.
-pub(super) const REACHED: f64 = 1e-12;
+pub(in crate::integrate) const REACHED: f64 = 1e-12;
 
 /// sum |g_k| h^k.
-pub(crate) fn size(g: &[f64], h: f64) -> f64 {
+pub(in crate::integrate) fn size(g: &[f64], h: f64) -> f64 {
     g.iter().rev().fold(0.0, |sum, g_k| sum * h + g_k.abs())
 }
 
 /// Order and sign of the first coefficient, after the constant one, whose term exceeds `share` of the change.
-pub(super) fn leading_term(g: &[f64], h: f64, share: f64) -> Option<(usize, Mode)> {
+pub(in crate::integrate) fn leading_term(g: &[f64], h: f64, share: f64) -> Option<(usize, Mode)> {
     let change = size(g.get(1..)?, h) * h;
     let mut power = 1.0;
     for (k, &g_k) in g.iter().enumerate().skip(1) {
@@ -33,7 +33,7 @@ pub(super) fn leading_term(g: &[f64], h: f64, share: f64) -> Option<(usize, Mode
 
 /// What a bound does from here on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum BoundState {
+pub(in crate::integrate) enum BoundState {
     /// Positive, away from zero.
     Kept,
     /// Just reached, but it rises with the coefficient of this order.
@@ -45,7 +45,7 @@ pub(crate) enum BoundState {
 }
 
 /// Judges a bound by its coefficients over a step h; `scale` is the size of what it bounds.
-pub(crate) fn judge_bound(g: &[f64], h: f64, scale: f64) -> BoundState {
+pub(in crate::integrate) fn judge_bound(g: &[f64], h: f64, scale: f64) -> BoundState {
     let Some(&value) = g.first() else { return BoundState::Rests };
     if value > REACHED * scale {
         return BoundState::Kept;

@@ -41,7 +41,7 @@ pub enum Change {
 
 /// An impact at one contact.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Impact {
+pub(in crate::integrate) struct Impact {
     pub guard: usize,
     /// Rates of the gap before and after.
     pub rates: [f64; 2],
@@ -53,8 +53,8 @@ pub(crate) struct Impact {
 /// The last impact at a contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
-    pub(super) at: Instant,
-    pub(super) rate: f64,
+    pub(in crate::integrate) at: Instant,
+    pub(in crate::integrate) rate: f64,
 }
 
 /// What a friction does in another motion that obeys the laws.
@@ -70,7 +70,7 @@ pub struct Rival {
 
 /// What a trial of modes showed.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Verdict {
+pub(in crate::integrate) enum Verdict {
     /// The flow agrees.
     Holds,
     /// The flow asks for these.
