@@ -99,6 +99,7 @@ fn from_below(n: usize, k: &[f64], m: &[f64], values: &mut [f64], vectors: &mut 
     }
     let lambda = |i: usize| 1.0 / thetas[n - 1 - i];
     let middle = (lambda(0) * values[n - 1]).sqrt();
+    // within two decades of the middle both ways of computing lose equally few digits
     let near = |i: &usize| (1e-2 * middle..1e2 * middle).contains(&lambda(*i));
     let gap = |i: &usize| lambda(*i) / lambda(*i - 1);
     let joint = (1..n).filter(near).max_by(|i, j| gap(i).total_cmp(&gap(j)));
@@ -172,6 +173,7 @@ pub fn general(n: usize, a: &[f64]) -> Result<ComplexModes, Trouble> {
 /// The vector divided by its largest entry; of entries that are equal within rounding the first.
 fn normalised(x: &[Complex]) -> Vec<Complex> {
     let size = |z: &Complex| complex::abs(*z);
+    // equal entries differ by the rounding of the reduction, some n units of the last place
     let largest = x.iter().fold(Complex::ZERO, |best, z| if size(z) > size(&best) * (1.0 + 1e-12) { *z } else { best });
     if largest == Complex::ZERO { x.to_vec() } else { x.iter().map(|z| complex::over(*z, largest)).collect() }
 }

@@ -41,6 +41,7 @@ pub enum Sturm {
 
 impl Default for Options {
     fn default() -> Options {
+        // eigenvalues err by the square of a residual: 1e-10 is more than the digits they have
         Options { tolerance: 1e-10, block: 4, basis: 0, seed: 1, sturm: Sturm::Counted }
     }
 }
@@ -214,6 +215,7 @@ impl<'a> Search<'a> {
             let after = columns(n, &block, &masses);
             let clean = after.enumerate().all(|(c, a)| {
                 let removed: f64 = shares.chunks(count).map(|row| row[c] * row[c]).sum();
+                // a hundredth of the length taken off leaves no more than rounding along the basis: two digits of sixteen
                 removed <= 1e-4 * a
             });
             if clean && from == 0 {
@@ -312,6 +314,7 @@ impl<'a> Search<'a> {
                 self.counters.counted = Some(below);
                 return Ok(below > expected);
             }
+            // off a shift on which the factorisation failed, by far less than the gap above it (1e-5)
             limit *= 1.0 + 1e-7;
         }
         Ok(false)
@@ -413,6 +416,7 @@ impl Ritz {
 
     /// All wanted ones have converged, and the one after them well enough to put the limit of Sturm's count below it.
     fn settled(&self, wanted: usize, tolerance: f64) -> bool {
+        // its value errs by the square of the residual, 1e-4: less than where the limit is put
         self.converged(wanted, tolerance) >= wanted && self.residuals.get(wanted).is_some_and(|&r| r <= 1e-2)
     }
 
@@ -420,6 +424,7 @@ impl Ritz {
     fn limit(&self, wanted: usize) -> (f64, usize) {
         let wide = |j: &usize| {
             let (low, high) = (self.eigenvalue(j - 1), self.eigenvalue(*j));
+            // the count needs a shift that is no eigenvalue within the digits of the factorisation; clusters are closer
             high - low > 1e-5 * (high - self.shift)
         };
         let j = (wanted..self.values.len()).find(wide).unwrap_or(self.values.len() - 1);

@@ -3,13 +3,14 @@
 //!
 //! It knows no mechanics and no time, no words for users and no files: what goes wrong is a [`Trouble`], which its callers put into words.
 //!
-//! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`lu`], [`cholesky`], [`qr`],
+//! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
 //! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - [`refine`], [`lanczos`], [`eigen`], [`certify`] (eigenproblems) -
-//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients) - [`gauss`], [`simplex`], [`random`].
+//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients) - [`bernstein`], [`gauss`], [`simplex`], [`random`].
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
+pub mod bernstein;
 pub mod certify;
 pub mod cholesky;
 pub mod complex;
@@ -32,8 +33,10 @@ pub mod random;
 pub mod refine;
 pub mod refined;
 pub mod simplex;
+pub mod space;
 pub mod sparse;
 pub mod sum;
 pub mod trouble;
+pub mod vectors;
 
 pub use trouble::Trouble;

@@ -21,6 +21,7 @@ impl Modes {
 /// Makes the first entry of some size positive.
 pub(super) fn orient(x: &mut [f64]) {
     let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    // smaller ones are no entry whose sign a reader looks at, and may be rounding
     if x.iter().find(|v| v.abs() > 1e-3 * largest).is_some_and(|v| *v < 0.0) {
         x.iter_mut().for_each(|v| *v = -*v);
     }

@@ -87,6 +87,7 @@ impl Table {
         // artificial variables at zero leave the basis where a real one can take their place
         for i in 0..self.rows.len() {
             if self.basis[i] >= self.real
+                // a pivot that is rounding of rows scaled to 1 is none
                 && let Some(j) = (0..self.real).find(|j| self.rows[i][*j].abs() > 1e-9)
             {
                 self.exchange(i, j);

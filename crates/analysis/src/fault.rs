@@ -67,8 +67,20 @@ pub(crate) const FINITE_RU: &str = "Одна из величин стала бе
 pub(crate) const MEMORY_EN: &str = "Times asked for x columns x 8 bytes is more than the limit. Ask for fewer times or outputs.";
 pub(crate) const MEMORY_RU: &str =
     "Число моментов времени x число столбцов x 8 байт превышает предел. Запросите меньше моментов времени или величин.";
-pub(crate) const OPTION_EN: &str = "An option of the study has a value that means nothing: a tolerance outside 1e-15 ... 1e-3, an end before the start, a grid step that is not positive.";
-pub(crate) const OPTION_RU: &str = "Параметр расчёта имеет бессмысленное значение: допустимая погрешность вне 1e-15 ... 1e-3, конец раньше начала, неположительный шаг сетки.";
+pub(crate) const OPTION_EN: &str = concat!(
+    "An option of the study has a value that means nothing: a tolerance outside ",
+    words::finest_tolerance!(),
+    " ... ",
+    words::coarsest_tolerance!(),
+    ", an end before the start, a grid step that is not positive."
+);
+pub(crate) const OPTION_RU: &str = concat!(
+    "Параметр расчёта имеет бессмысленное значение: допустимая погрешность вне ",
+    words::finest_tolerance!(),
+    " ... ",
+    words::coarsest_tolerance!(),
+    ", конец раньше начала, неположительный шаг сетки."
+);
 pub(crate) const NEWTON_EN: &str = "From no guess did Newton's method reach a state in which all generalized forces vanish. There may be no equilibrium, or the guesses are far from it.";
 pub(crate) const NEWTON_RU: &str = "Ни из одного начального приближения метод Ньютона не пришёл к состоянию, где все обобщённые силы равны нулю. Равновесия может не быть, или приближения далеки от него.";
 pub(crate) const NEUTRAL_EN: &str =

@@ -25,6 +25,7 @@ pub fn refine(power: &mut dyn FnMut(f64) -> f64, low: f64, high: f64, sign: f64)
     let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
     let (mut px, mut py) = (power(x), power(y));
     for _ in 0..GOLDEN {
+        // golden section sees no more than the root of rounding; the derivative goes on
         if b - a <= 1e-6 * b.abs() {
             break;
         }
@@ -50,6 +51,7 @@ pub fn highest(function: &mut dyn FnMut(f64) -> f64, low: f64, high: f64) -> f64
     let (mut a, mut b) = (low, high);
     let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
     let (mut fx, mut fy) = (function(x), function(y));
+    // golden section sees no more than the root of rounding
     while b - a > 1e-9 * (high - low) && x > a && y < b {
         if fx >= fy {
             (b, y, fy) = (y, x, fx);
@@ -95,10 +97,12 @@ fn stationary(power: &mut dyn FnMut(f64) -> f64, at: f64, width: f64, low: f64, 
         }
         let next = x1 - f1 * (x1 - x0) / (f1 - f0);
         if !next.is_finite() || next < low || next > high {
+            // left through an end of the bracket: six digits of the slope gone is a peak
             return if f1.abs() <= 1e-6 * first { x1 } else { at };
         }
         (x0, f0) = (x1, f1);
         (x1, f1) = (next, slope(next));
+        // some ten units of the last place
         if (x1 - x0).abs() <= 1e-14 * x1.abs() {
             break;
         }

@@ -225,6 +225,7 @@ impl Shape {
         let list: Vec<(f64, f64)> = (1..=LISTED).map(|k| panels.harmonic(&values, k)).collect();
         // of a coefficient that vanishes rounding is left
         let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        // some ten units of the last place of the values
         let tidy = |v: f64| if v.abs() <= 1e-14 * largest { 0.0 } else { v };
         let (cos, sin) = (list.iter().map(|c| tidy(c.0)).collect(), list.iter().map(|c| tidy(c.1)).collect());
         self.wave = Wave { mean: tidy(mean), cos, sin, panels };

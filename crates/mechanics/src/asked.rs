@@ -7,7 +7,8 @@ mod values;
 pub use table::STUDY;
 pub use values::{FrequencyVariable, Plot, SweepRange, Times};
 
-use crate::keys::{Field, TableSpec, Type, Words};
+pub use crate::keys::Words;
+use crate::keys::{Field, TableSpec, Type};
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
@@ -24,12 +25,14 @@ pub struct Kind {
     pub keys: &'static [Key],
     /// What the values contradict together.
     pub check: fn(&Asked) -> Vec<Objection>,
+    /// Whether a study that repeats another may name it.
+    pub repeatable: bool,
 }
 
 impl Kind {
     /// A kind without keys.
     pub const fn new(name: &'static str, about: Words) -> Kind {
-        Kind { name, about, keys: &[], check: |_| Vec::new() }
+        Kind { name, about, keys: &[], check: |_| Vec::new(), repeatable: false }
     }
     /// With these keys.
     pub const fn keys(mut self, keys: &'static [Key]) -> Kind {
@@ -39,6 +42,11 @@ impl Kind {
     /// With a check of the values together.
     pub const fn check(mut self, check: fn(&Asked) -> Vec<Objection>) -> Kind {
         self.check = check;
+        self
+    }
+    /// It may be named by a study that repeats another.
+    pub const fn repeatable(mut self) -> Kind {
+        self.repeatable = true;
         self
     }
     /// The key of that name.
@@ -243,8 +251,8 @@ pub enum Takes {
     FrequencyVariable,
     /// Values of parameters, starts and starting rates.
     Ranges,
-    /// Name of a kind of study, one of these.
-    KindOf(&'static [&'static str]),
+    /// Name of a kind of study that may be repeated.
+    Repeatable,
 }
 
 impl Takes {
@@ -258,7 +266,7 @@ impl Takes {
             Takes::Quantity(..) | Takes::Section => (Type::Formula, ""),
             Takes::Flag => (Type::Bool, ""),
             Takes::Word(_) => (Type::String, ""),
-            Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::KindOf(_) => (Type::Name, ""),
+            Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::Repeatable => (Type::Name, ""),
             Takes::RangeOf(_) => (Type::Quantities, ""),
             Takes::FrequencyRange | Takes::Frequencies => (Type::Quantities, "rad/s"),
             Takes::Results => (Type::Names, ""),

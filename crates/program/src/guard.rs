@@ -14,7 +14,7 @@ use symbolic::Expr;
 /// The construct that a guard came from first. Reactions are numbered as in `Equations::reactions`, guards as in `Program::guards`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[allow(missing_docs)]
-pub enum GuardKind {
+pub enum Construct {
     Sign,
     Abs,
     If,
@@ -70,9 +70,9 @@ pub enum GuardKind {
 /// `Limit`, `Normal` and `ContactForce` are no expressions but follow from the solved reactions; `left` is then that of the friction's or
 /// the contact's first guard, and a name for people is made of the reaction's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Guard {
+pub struct GuardOrigin {
     /// Where it first occurs.
-    pub kind: GuardKind,
+    pub kind: Construct,
     /// The expression, or the first argument of min and max.
     pub left: Expr,
     /// The second argument of min and max; 0 when absent.

@@ -7,7 +7,7 @@
 //! A [`Program`] holds one [`Tape`] for each question (dynamics, forces of connections, outputs, energy, second derivation,
 //! statics, conditions, start). The [`Evaluator`]
 //! interprets any of them and is the oracle; [`Jets`] expands the motion in a Taylor series, [`Tangent`] gives
-//! its Jacobian. Switches are [`Guard`]s with [`Mode`]s.
+//! its Jacobian. Switches are [`GuardOrigin`]s with [`Mode`]s.
 //! Everything that can go wrong is a [`Fault`] with code, cause and cure. It knows no mechanics: what an expression means is nobody's business here.
 //!
 //! Rooms, in order of reading: `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `solve`, `general`,
@@ -80,7 +80,7 @@ mod verify;
 
 pub use behind::{Acting, Behind, HELD, Node, Seen};
 pub use fault::{Details, EXPLANATIONS, Fault, Singular};
-pub use guard::{Guard, GuardKind};
+pub use guard::{Construct, GuardOrigin};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;
 pub use mode::Mode;

@@ -1,6 +1,6 @@
 //! A machine's equations as tapes, and the same with numbers for the parameters.
 
-use crate::{Evaluator, Fault, Guard, GuardKind, Mode, Point, Tape, passes};
+use crate::{Construct, Evaluator, Fault, GuardOrigin, Mode, Point, Tape, passes};
 use std::ops::Range;
 use std::sync::Arc;
 use words::Text;
@@ -21,7 +21,7 @@ pub struct Program {
     /// Values of the parameters as the model gives them.
     pub values: Vec<f64>,
     /// The switching functions.
-    pub guards: Vec<Guard>,
+    pub guards: Vec<GuardOrigin>,
     /// Guard of kind `Sliding` or `Gap` by which each reaction goes, by reaction. Frictions with one sliding speed go by one guard.
     pub switches: Vec<Option<usize>>,
     /// Number of conditions in the equations, dropped ones included.
@@ -276,7 +276,7 @@ impl Bound {
     pub fn modes(&mut self, time: f64, states: &[f64]) -> Result<Vec<Mode>, Fault> {
         let mut modes = self.dynamics.modes(&Point { time, states, ..Point::default() })?;
         for (mode, guard) in modes.iter_mut().zip(&self.program.guards) {
-            if matches!(guard.kind, GuardKind::Gap { .. }) && *mode == Mode::Negative {
+            if matches!(guard.kind, Construct::Gap { .. }) && *mode == Mode::Negative {
                 *mode = Mode::Zero;
             }
         }

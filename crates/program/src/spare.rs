@@ -9,6 +9,7 @@
 //! *Source*: P. Businger, G. H. Golub, Linear least squares solutions by Householder transformations, Numerische Mathematik 7 (1965) 269-276, for the pivots.
 
 use crate::Real;
+use algebra::vectors::{dot, norm};
 
 /// What may be left out of a system.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -71,13 +72,13 @@ fn vector(spare: &Spare, row: &[f64], size: f64) -> Vec<f64> {
 
 /// To unit length; false for nothing.
 fn scale(v: &mut [f64]) -> bool {
-    let length = v.iter().map(|a| a * a).sum::<f64>().sqrt();
+    let length = norm(v);
     v.iter_mut().for_each(|a| *a /= length);
     length > 0.0 && length.is_finite()
 }
 
 fn subtract(v: &mut [f64], unit: &[f64]) {
-    let share: f64 = v.iter().zip(unit).map(|(a, b)| a * b).sum();
+    let share = dot(v, unit);
     v.iter_mut().zip(unit).for_each(|(a, b)| *a -= share * b);
 }
 

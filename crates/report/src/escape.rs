@@ -1,7 +1,12 @@
 //! Making user text harmless inside HTML, SVG and script data.
 
-/// Text for HTML and SVG content and for attribute values in double quotes. Control characters that XML forbids become spaces.
+/// Text for HTML and SVG content and for attribute values in any quotes.
 pub fn markup(text: &str) -> String {
+    xml(text).replace('\'', "&#39;")
+}
+
+/// Text for XML content and for attribute values in double quotes. Control characters that XML forbids become spaces.
+pub fn xml(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -9,7 +14,6 @@ pub fn markup(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
             c if (c.is_control() && !matches!(c, '\n' | '\t')) || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
             c => out.push(c),
         }

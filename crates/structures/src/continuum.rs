@@ -38,6 +38,7 @@ pub fn frequencies(frame: &Frame<f64>, estimates: &[f64]) -> Option<Vec<f64>> {
 
 /// The frequency number `number` (from 1), near an estimate.
 fn root(frame: &Frame<f64>, assembly: &Assembly<f64>, number: usize, estimate: f64) -> Option<f64> {
+    // the estimate of the refined frame has its certificate; the bracket widens when it does not hold
     let (mut low, mut high) = (estimate * (1.0 - 1e-3), estimate * (1.0 + 1e-3));
     for _ in 0..60 {
         if count(frame, assembly, low)? < number {
@@ -51,6 +52,7 @@ fn root(frame: &Frame<f64>, assembly: &Assembly<f64>, number: usize, estimate: f
         }
         high *= 1.1;
     }
+    // ten units of the last place: nothing more is to be halved
     while high - low > 2e-15 * high {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -131,6 +133,7 @@ fn dynamic(rod: &Rod<f64>, l: f64, omega: f64) -> Vec<f64> {
             }
         }
     }
+    // below it x/tan x is 1 - x²/3, what stiffness and masses of the rod give, with an error of x⁴/45
     if let (Some(x), Some(ea)) = (along.filter(|x| *x > 1e-3), axial) {
         let (own, other) = (ea / l * x / elementary::tan(x), -ea / l * x / elementary::sin(x));
         [(0, 0, own), (3, 3, own), (0, 3, other), (3, 0, other)].into_iter().for_each(|(i, j, v)| out[6 * i + j] = v);

@@ -109,17 +109,21 @@ pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f
     let largest = (0..nodes).fold(0.0_f64, |m, i| m.max(size(i)));
     let turns = (0..motion.len()).filter(|i| assembly.freedoms.used[*i] && name_is_turn(assembly, *i));
     let largest_turn = turns.clone().fold(0.0_f64, |m, i| m.max(motion[i].abs()));
+    // places that move by rounding of a turn of the whole frame do not move
     if largest <= 1e-9 * largest_turn * span(frame) || largest == 0.0 {
         let i = turns.max_by(|i, j| motion[*i].abs().total_cmp(&motion[*j].abs())).unwrap_or(0);
         let name = name_of(frame, assembly.freedoms.meaning[i]);
         let node = node_of(frame, assembly, i);
         return (node, words::Text::new(format!("{name} is free"), format!("свободен поворот {name}")));
     }
+    // nodes that move equally far differ by rounding: the first one is named
     let first = (0..nodes).find(|i| size(*i) >= (1.0 - 1e-9) * largest).unwrap_or(0);
     let list = |words: [&str; 3], and: &str| {
+        // what a node moves by rounding is no movement
         let moving: Vec<usize> = (0..nodes).filter(|i| size(*i) > 1e-9 * largest).collect();
         let one = |i: &usize| {
             let (x, y) = (motion[3 * i] / largest, motion[3 * i + 1] / largest);
+            // shares of the largest movement: rounding of the null vector is some 1e-12
             let direction = match (x.abs() > 1e-9, y.abs() > 1e-9) {
                 (true, false) => words[0].to_owned(),
                 (false, true) => words[1].to_owned(),

@@ -253,6 +253,7 @@ impl Statics<f64> {
                     let mut station = self.section(i, &self.carried[i], (&x, &part.length), passed);
                     station.s = part.from + x;
                     let at = out.partition_point(|s| s.s <= station.s);
+                    // a station that is there already, but for the rounding of its distance
                     let near = |s: &Station<f64>| (s.s - station.s).abs() <= 1e-12 * part.length;
                     if !out[at.saturating_sub(1)..].iter().take(2).any(near) {
                         out.insert(at, station);

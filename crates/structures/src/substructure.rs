@@ -19,6 +19,7 @@ use algebra::certify::Certificate;
 use algebra::eigen::Modes;
 use algebra::factor::Factored;
 use algebra::sparse::Sparse;
+use algebra::vectors::dot;
 
 /// A frame over few coordinates: the named displacements that are independent, then amplitudes.
 #[derive(Clone, Debug)]
@@ -210,10 +211,6 @@ impl Whole<'_> {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
 fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
     if certificate.passes() == [true; 2] { Ok(()) } else { Err(faults::unconfirmed(certificate.worst(), certificate.missing() as f64)) }
 }
@@ -279,6 +276,7 @@ fn independent(rows: &[Vec<f64>], flexibility: &[f64], n: usize) -> Vec<usize> {
             }
         }
         let left = energy(&rest, &rest, flexibility, n);
+        // energies: 1e-5 of the functional itself is new, the rest of a dependent one is rounding of its square
         if own > 0.0 && left > 1e-10 * own && kept.len() < n {
             rest.iter_mut().for_each(|r| *r /= left.sqrt());
             kept.push((i, rest));

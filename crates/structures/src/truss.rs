@@ -57,6 +57,7 @@ fn known(frame: &Frame<f64>, statics: &Statics<f64>, node: usize) -> [Vec<Term>;
     let mut out = [Vec::new(), Vec::new()];
     let largest = statics.ends.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut put = |k: usize, name: &str, force: f64| {
+        // a force that is rounding of the largest one is none
         if force.abs() > 1e-13 * largest {
             out[k].push(Term { name: name.to_owned(), coefficient: 1.0, force, unknown: false });
         }
@@ -101,6 +102,7 @@ pub fn joints(frame: &Frame<f64>, assembly: &Assembly<f64>, statics: &Statics<f6
         for rod in &at[node] {
             let direction = away(frame, *rod, node);
             for k in 0..2 {
+                // components of a unit vector across an axis are rounding
                 if direction[k].abs() > 1e-14 {
                     let name = frame.rods[*rod].name.clone();
                     equations[k].push(Term { name, coefficient: direction[k], force: tension[*rod], unknown: !solved[*rod] });
@@ -170,6 +172,7 @@ fn meeting(frame: &Frame<f64>, a: usize, b: usize) -> Option<[f64; 2]> {
     let (p, q) = (frame.nodes[ra.ends[0]].at, frame.nodes[rb.ends[0]].at);
     let ([ux, uy], [vx, vy]) = (ra.direction, rb.direction);
     let cross = ux * vy - uy * vx;
+    // lines that meet a billion lengths away are parallel
     if cross.abs() < 1e-9 {
         return None;
     }
@@ -207,9 +210,11 @@ fn equation(
     let at = frame.nodes[own].at;
     let arm = coefficient(0, at) * direction[0] + coefficient(1, at) * direction[1];
     let size = frame.rods.iter().fold(0.0_f64, |m, r| m.max(r.length));
+    // an unknown with this arm has no digits: another section is taken
     if arm.abs() < 1e-9 * if about.is_some() { size } else { 1.0 } {
         return None;
     }
+    // arms of what passes through the point are rounding of the size of the truss
     terms.retain(|t| t.coefficient.abs() > 1e-12 * size);
     let sum: f64 = terms.iter().map(|t| t.coefficient * t.force).sum();
     let value = -sum / arm;

@@ -101,7 +101,7 @@ fn option(key: &Key, among: &[&Key], language: Language) -> Option<Arg> {
         Takes::Guess => arg.action(ArgAction::Append),
         Takes::Ranges => arg.action(ArgAction::Append).allow_hyphen_values(true),
         Takes::Results | Takes::Names => arg.action(ArgAction::Append).value_delimiter(','),
-        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::KindOf(_) => arg,
+        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::Repeatable => arg,
         _ => arg.allow_hyphen_values(true),
     })
 }
@@ -122,7 +122,7 @@ fn metavar(takes: Takes) -> &'static str {
         Takes::Guess | Takes::Driven(_) | Takes::FrequencyVariable => "NAME=QUANTITY",
         Takes::Section => "FORMULA",
         Takes::Ranges => "RANGE",
-        Takes::KindOf(_) => "STUDY",
+        Takes::Repeatable => "STUDY",
         Takes::Flag | Takes::Plots | Takes::OwnPlots => "",
     }
 }

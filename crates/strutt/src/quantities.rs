@@ -48,8 +48,11 @@ pub fn positive(key: &str, text: &str) -> Result<f64, Failure> {
 /// A tolerance of the integrator.
 pub fn tolerance(key: &str, text: &str) -> Result<f64, Failure> {
     let value = number(key, text)?;
-    let words = Text::new("a tolerance lies between 1e-15 and 1e-3", "допустимая погрешность лежит между 1e-15 и 1e-3");
-    if (1e-15..=1e-3).contains(&value) { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
+    let words = Text::new(
+        concat!("a tolerance lies between ", words::finest_tolerance!(), " and ", words::coarsest_tolerance!()),
+        concat!("допустимая погрешность лежит между ", words::finest_tolerance!(), " и ", words::coarsest_tolerance!()),
+    );
+    if words::limits::TOLERANCES.contains(&value) { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
 }
 
 /// What stands for a key of a study: a bare number gets the SI unit, as it does for all options; a formula stays.

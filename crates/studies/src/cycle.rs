@@ -2,20 +2,23 @@
 
 use super::keys::{OWN_PLOT, POINTS};
 use super::periodic::{in_words, value_of};
-use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
+use super::{Conclusion, Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine, explained};
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
-use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way};
+use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
 use mechanics::model::{ParameterValue, Plot};
 use mechanics::units::Dimension;
 use serde_json::json;
 use std::f64::consts::TAU;
 use symbolic::SymbolId;
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
+
+/// Tolerance of a turn: its work is a small difference of what passes, and the flywheel an inverse of it.
+const TURNED: f64 = 1e-14;
 
 /// Steps of the searches.
 const STEPS: usize = 40;
@@ -70,7 +73,8 @@ impl Cycle {
 /// The study.
 pub struct Turn;
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "cycle",
     (
         "Energy balance over a turn: the drive, reduced inertia and moment, irregularity",
@@ -128,7 +132,8 @@ static KIND: Kind = Kind::new(
     POINTS,
     OWN_PLOT,
 ])
-.check(objections);
+.check(objections)
+.repeatable();
 
 fn objections(asked: &Asked) -> Vec<Objection> {
     let mut found = Vec::new();
@@ -147,6 +152,27 @@ fn objections(asked: &Asked) -> Vec<Objection> {
 impl Study for Turn {
     fn kind(&self) -> &'static Kind {
         &KIND
+    }
+    fn wanted(&self) -> Words {
+        (
+            "balance the work over a cycle, find the reduced inertia and the irregularity of running",
+            "составить баланс работ за цикл, найти приведённый момент инерции и коэффициент неравномерности хода",
+        )
+    }
+    /// A wanted irregularity is no result of the machine of the file, whose flywheel is another one.
+    fn concludes(&self, machine: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        let study = machine.model.studies.iter().find(|s| s.kind == KIND.name);
+        let wanted = study.and_then(|s| s.number("irregularity"));
+        let sought = ["unknown", "flywheel"].map(|key| study.and_then(|s| s.word(key)));
+        let fact = |name: &str| results.facts.iter().find(|f| f.quantity.name == name);
+        let shown = |f: &Fact| {
+            let scale = crate::results::tables::scale(&f.quantity, f.value.abs());
+            (report::symbol::plain(&f.quantity.symbol, language), f.value / scale.size, scale.print(language))
+        };
+        let found: Vec<_> = sought.into_iter().flatten().filter_map(fact).map(shown).collect();
+        let needed = (!found.is_empty()).then_some(Conclusion::Needed { delta: wanted, found });
+        let own = fact("irregularity").filter(|_| wanted.is_none()).map(|f| Conclusion::Irregular { delta: f.value });
+        needed.into_iter().chain(own).collect()
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Cycle::of(asked).map(|study| balanced(machine, &study, watch))
@@ -178,7 +204,7 @@ fn no_angle() -> Failure {
 /// The balance, the drive that closes it and the flywheel.
 pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Results {
     let mut results = Results {
-        kind: "cycle",
+        kind: KIND.name,
         heading: Text::new("Cycle of the machine", "Цикл машины"),
         rows: Rows::Summary,
         plots: study.plots.clone(),
@@ -221,6 +247,7 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
             "с найденной движущей силой работа за цикл равна нулю: доля совершённой",
         );
         let off = balance.work.abs() / balance.size.max(f64::MIN_POSITIVE);
+        // a secant of the unknown ends within the digits of the work
         results.data.audits.push(analysis::dataset::Audit::at_most("closed_balance", name, off, 1e-9));
     }
     facts(results, &changed, &balance, speed, &values);
@@ -308,7 +335,7 @@ impl Tried {
                 .help("give `speed`, `period` or a starting rate", "задайте `speed`, `period` или начальную скорость"));
         }
         let range = TAU * study.turns.abs() * rate.signum();
-        let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
+        let options = Options { angle, range, rate, points: study.points, tolerance: TURNED };
         self.held(study, rate);
         let Tried { machine, held, .. } = self;
         let mut held = held.as_mut().and_then(|(_, held)| held.as_deref_mut());
@@ -443,6 +470,7 @@ fn flywheel(
     for _ in 0..STEPS {
         let f_b = 1.0 / reached - 1.0 / wanted;
         let slope = (f_b - f_a) / (b - a);
+        // a share of the wanted value that the tolerance of a turn still shows
         if f_b.abs() <= 1e-12 / wanted || slope == 0.0 || !slope.is_finite() {
             break;
         }
@@ -450,6 +478,7 @@ fn flywheel(
         (a, f_a, b) = (b, f_b, next);
         reached = at(b)?;
     }
+    // more digits than a flywheel is made to
     if (reached - wanted).abs() > 1e-8 * wanted {
         return Err(Notice::new(
             "S048",
@@ -504,11 +533,12 @@ fn turning(machine: &Machine, study: &Cycle, start: &[f64]) -> Options {
     let angle = angle(machine, study);
     let rate = study.speed.unwrap_or(start[machine.equations.coordinates.len() + angle]);
     let range = TAU * study.turns.abs() * rate.signum();
-    Options { angle, range, rate, points: study.points, tolerance: 1e-14 }
+    Options { angle, range, rate, points: study.points, tolerance: TURNED }
 }
 
 /// The work over the cycle; zero where rounding of its parts is left.
 fn own_work(balance: &Balance) -> f64 {
+    // some hundred units of the last place of what passes
     if balance.work.abs() <= 1e-13 * balance.size { 0.0 } else { balance.work }
 }
 

@@ -1,7 +1,7 @@
 //! The study `equilibrium`: places of rest, their stability, from guesses or all in a range of a coordinate.
 
 use super::keys::GUESS;
-use super::{Found, Given, Repeats, Results, Study, overlaid};
+use super::{Conclusion, Finds, Found, Given, Repeats, Results, Study, overlaid};
 use crate::failure::Failure;
 use crate::machine::{Machine, explained};
 use crate::results::finite::checked;
@@ -14,12 +14,12 @@ use analysis::linear::LinearMachine;
 use analysis::rest::mean::Resting;
 use analysis::studies::simulate::Outcome;
 use analysis::{Dataset, System};
-use mechanics::asked::{Asked, Key, Kind, Objection, Takes};
+use mechanics::asked::{Asked, Key, Kind, Objection, Takes, Words};
 use serde_json::{Map, Value, json};
 use std::sync::Arc;
 use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
-use words::Printed;
+use words::{Language, Printed};
 
 /// A coordinate between two values, SI.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -50,7 +50,8 @@ fn range(equations: &Equations, between: Between) -> Option<analysis::studies::e
 /// The study.
 pub struct Rest;
 
-static KIND: Kind = Kind::new("equilibrium", ("Find positions of equilibrium", "Найти положения равновесия"))
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new("equilibrium", ("Find positions of equilibrium", "Найти положения равновесия"))
     .keys(&[
         GUESS,
         Key::new(
@@ -76,7 +77,8 @@ static KIND: Kind = Kind::new("equilibrium", ("Find positions of equilibrium", "
     .check(|asked| match asked.get("over").is_some() && !asked.has("range") {
         true => vec![no_range("[\"-180 deg\", \"180 deg\"]")],
         false => Vec::new(),
-    });
+    })
+    .repeatable();
 
 /// M006: what is gone over has no range.
 pub fn no_range(example: &str) -> Objection {
@@ -89,11 +91,25 @@ impl Study for Rest {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("find the positions of equilibrium", "найти положения равновесия и исследовать их устойчивость")
+    }
+    fn chapter(&self) -> &'static str {
+        "equations"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Rest
+    }
+    fn concludes(&self, _: &Machine, results: &Results, _: Language) -> Vec<Conclusion> {
+        let decided = |v: &f64| (!v.is_nan()).then_some(*v != 0.0);
+        let stable = results.data.column("stable").map(|c| c.values.iter().map(decided).collect());
+        stable.map(|stable| Conclusion::Rest { stable }).into_iter().collect()
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Some(places(machine, asked.guess(), Between::of(asked), watch))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        Ok(overlaid(&KIND, given.of_file.unwrap_or_else(|| Asked::new("equilibrium")), given.line))
+        Ok(overlaid(&KIND, given.of_file.unwrap_or_else(|| Asked::new(KIND.name)), given.line))
     }
     fn repeats(&self) -> Repeats {
         Repeats::Rest
@@ -112,7 +128,7 @@ pub fn places(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Bet
     }
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     checked(Results {
-        kind: "equilibrium",
+        kind: KIND.name,
         alone: Alone::Places,
         heading: report::Word::Equilibrium.text(),
         rows: Rows::Beside,
@@ -187,6 +203,7 @@ fn listed(data: &Dataset) -> Value {
             out["growth"] = json!(growth);
             out["negative_directions"] = json!(negative);
             out["stable_by_energy"] = if negative.is_nan() { Value::Null } else { json!(negative == 0.0) };
+            // growth in 1/s: a double root at zero is split by rounding, what grows in thirty years does not grow
             out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
         }
         out

@@ -12,7 +12,7 @@ const LONGEST: usize = 48;
 pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
     let [en, ru] = [Language::En, Language::Ru].map(|language| Printer::of(equations, language).with_width(usize::MAX));
     let graph = &equations.graph;
-    let name = |guard: &program::Guard| {
+    let name = |guard: &program::GuardOrigin| {
         if let Some(reaction) = reaction(guard.kind).and_then(|r| equations.reactions.get(r)) {
             return without_part(&reaction.label, &reaction.name);
         }
@@ -36,8 +36,8 @@ fn without_part(label: &Text, name: &str) -> Text {
 }
 
 /// The reaction whose law a guard switches.
-fn reaction(kind: program::GuardKind) -> Option<usize> {
-    use program::GuardKind::{ContactForce, Gap, Limit, Normal, Share, Side, Sliding};
+fn reaction(kind: program::Construct) -> Option<usize> {
+    use program::Construct::{ContactForce, Gap, Limit, Normal, Share, Side, Sliding};
     match kind {
         Sliding { reaction, .. }
         | Limit { reaction, .. }

@@ -3,18 +3,18 @@
 //! The work of a motor is the integral of its power over the dense output: of the polynomials that also give the extremes, on parts so short that nothing
 //! hides between their points. It is confirmed by the energy: all motors together do what the change of energy and the work of everything else leave.
 
-use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
+use super::keys::{AT, EVERY, METHOD, MOTIONS, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
 use super::simulate::{self, Simulate, merged, with_works};
-use super::{Extra, Fact, Found, Given, Interrupts, Repeats, Results, Study};
+use super::{Conclusion, Extra, Fact, Finds, Found, Given, Interrupts, Repeats, Results, Study};
 use crate::failure::Failure;
 use crate::machine::Machine;
 use crate::results::finite::checked;
 use crate::watch::Watch;
 use analysis::Dataset;
-use mechanics::asked::{Asked, Kind};
+use mechanics::asked::{Asked, Kind, Words};
 use serde_json::json;
 use symbolic::equations::Role;
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
 
 /// A motor: the output that is its power, its name, what the output is.
 struct Motor {
@@ -26,29 +26,46 @@ struct Motor {
 /// The study.
 pub struct Inverse;
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "inverse",
     (
         "Find the forces and torques of motors that realise prescribed motions, their powers and work",
         "Найти силы и моменты двигателей для заданных движений, их мощности и работу",
     ),
 )
-.keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT]);
+.keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT])
+.repeatable();
 
 impl Study for Inverse {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        (
+            "find the forces and moments of the motors for the prescribed motion",
+            "решить обратную задачу динамики: найти силы и моменты двигателей по заданному движению",
+        )
+    }
+    fn chapter(&self) -> &'static str {
+        "motion"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Drives
+    }
+    fn concludes(&self, machine: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        crate::results::greatest(&machine.equations, (&results.data, &results.plots), language)
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Some(forces(machine, &Simulate::of(asked), watch))
     }
     fn of_file(&self) -> &'static [&'static [&'static str]] {
-        &[&["simulate", "inverse"]]
+        &[MOTIONS]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         let (columns, drawn) = (given.line.has("outputs"), given.drawn);
         let mut asked = merged(&simulate::KIND, &machine.equations, given)?;
-        asked.kind = "inverse";
+        asked.kind = KIND.name;
         if columns && !drawn {
             // columns of plots that nobody draws are not asked for
             asked.unset("plot");
@@ -70,7 +87,7 @@ fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Results
     let study = study.with_plots(&machine.equations);
     let motors = motors(machine);
     if motors.is_empty() {
-        return Results::failed("inverse", heading(), no_motor());
+        return Results::failed(KIND.name, heading(), no_motor());
     }
     let powers: Vec<String> = motors.iter().map(|m| m.power.clone()).collect();
     let shown = study.outputs.len();
@@ -82,7 +99,7 @@ fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Results
     let mut at = 0..;
     data.keep_columns(|_| at.next().is_some_and(|i| i <= shown));
     let mut results =
-        Results { kind: "inverse", heading: heading(), facts, data, plots: study.plots.clone(), trouble, ..Results::default() };
+        Results { kind: KIND.name, heading: heading(), facts, data, plots: study.plots.clone(), trouble, ..Results::default() };
     results.own.insert("until".into(), json!(study.until));
     results.own.insert("tolerance".into(), json!(study.tolerance));
     results.own.insert("work".into(), work);

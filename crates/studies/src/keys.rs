@@ -21,15 +21,27 @@ pub const AT: Key = Key::new(
 .not_with("every", "M065")
 .option("Results exactly at these times: 0,0.5,10", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")");
 
+/// The studies of a file whose motion the commands of both take, and the closed form beside them.
+pub const MOTIONS: &[&str] = &["simulate", "inverse"];
+
 /// Tolerance of the integrator.
 pub const TOLERANCE: Key = Key::new("tolerance", Takes::Tolerance, ("relative tolerance of a step", "относительная точность шага"), "1e-9")
     .default("1e-12", "1e-12")
-    .option("Relative tolerance of a step, 1e-15 ... 1e-3", "Допустимая относительная погрешность шага, 1e-15 ... 1e-3");
+    .option(
+        concat!("Relative tolerance of a step, ", words::finest_tolerance!(), " ... ", words::coarsest_tolerance!()),
+        concat!("Допустимая относительная погрешность шага, ", words::finest_tolerance!(), " ... ", words::coarsest_tolerance!()),
+    );
 
 /// Tolerance of a motion, with its default in the help.
 pub const TOLERANCE_OF_MOTION: Key = TOLERANCE.option(
-    "Relative tolerance of a step, 1e-15 ... 1e-3 [default: 1e-12]",
-    "Допустимая относительная погрешность шага, 1e-15 ... 1e-3 [по умолчанию: 1e-12]",
+    concat!("Relative tolerance of a step, ", words::finest_tolerance!(), " ... ", words::coarsest_tolerance!(), " [default: 1e-12]"),
+    concat!(
+        "Допустимая относительная погрешность шага, ",
+        words::finest_tolerance!(),
+        " ... ",
+        words::coarsest_tolerance!(),
+        " [по умолчанию: 1e-12]"
+    ),
 );
 
 /// Methods of integration.

@@ -1,7 +1,7 @@
 //! The study `kinematics`: places, velocities and accelerations over a range of the driven coordinate, transfer functions, instantaneous centres.
 
 use super::keys::{OUTPUTS, OWN_PLOT, POINTS};
-use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, overlaid};
+use super::{Finds, Found, Given, Interrupts, Repeats, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine, explained};
 use crate::provenance;
@@ -11,7 +11,7 @@ use crate::watch::{Lap, Watch};
 use analysis::dataset::{Column, Extreme, Missing, Trail};
 use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
-use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Value, Way as Comes};
+use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Value, Way as Comes, Words};
 use mechanics::model::{Axis, Plot};
 use program::lower::{Drive, Inputs};
 use program::{Behind, Evaluator, Point};
@@ -83,7 +83,8 @@ impl Kinematics {
 /// The study.
 pub struct Linkage;
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "kinematics",
     ("Follow a linkage over a range of its driven coordinate", "Проследить движение механизма по ведущей координате"),
 )
@@ -166,6 +167,15 @@ impl Study for Linkage {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("investigate the kinematics of the linkage", "провести кинематическое исследование механизма")
+    }
+    fn chapter(&self) -> &'static str {
+        "kinematics"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Positions
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Kinematics::of(asked).map(|study| followed(machine, &study, watch))
     }
@@ -210,7 +220,7 @@ fn nothing_followed() -> Failure {
 /// The linkage at every position.
 pub fn followed(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Results {
     let mut results = Results {
-        kind: "kinematics",
+        kind: KIND.name,
         heading: Text::new("Kinematics of the linkage", "Кинематика механизма"),
         rows: Rows::Summary,
         plots: study.plots.clone(),

@@ -5,7 +5,7 @@
 //! It knows no terminal, process, file or clock.
 //!
 //! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`] - [`results`], [`observable`] - [`machine`], [`frame`] - [`small`], [`structure`], [`phases`]
-//! (what several studies share) - one file a study - [`sweep`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`scheme`], [`calculation`], [`document`],
+//! (what several studies share) - one file a study - [`sweep`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`shown`], [`scheme`], [`calculation`], [`document`],
 //! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large
@@ -41,6 +41,7 @@ pub mod results;
 pub mod scheme;
 mod section;
 pub mod sections;
+pub mod shown;
 pub mod simulate;
 pub mod small;
 pub mod source;
@@ -58,9 +59,9 @@ pub mod written;
 pub use failure::Failure;
 pub use machine::Machine;
 pub use machine::bind::{Binding, Origin};
-pub use machine::study::{Extra, Found, Given, Interrupts, Repeats, Studies, Study, idle, of_file, overlaid};
+pub use machine::study::{Extra, Finds, Found, Given, Interrupts, Repeats, Studies, Study, idle, of_file, overlaid};
 pub use provenance::VERSION;
-pub use results::{Alone, Extent, Fact, Results, Rows, View};
+pub use results::{Alone, Conclusion, Extent, Fact, Next, Results, Rows, View};
 pub use source::Source;
 pub use watch::Watch;
 

@@ -2,14 +2,14 @@
 
 use super::equilibrium::no_range;
 use super::keys::GUESS;
-use super::{Found, Results, Study};
+use super::{Conclusion, Finds, Found, Results, Study};
 use crate::machine::Machine;
 use crate::results::finite::checked;
 use crate::small::asked::Modes;
 use crate::watch::{Lap, Watch};
-use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes};
-use words::Text;
+use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes, Words};
 use words::explain::{Explanation, row};
+use words::{Language, Text};
 
 static ABOUT: Choice = Choice {
     words: &["rest", "start"],
@@ -54,71 +54,61 @@ static EXPLANATIONS: &[Explanation] = &[
 /// The study.
 pub struct Natural;
 
-static KIND: Kind =
-    Kind::new("modes", ("Find natural frequencies and shapes of small motions", "Найти собственные частоты и формы малых колебаний"))
-        .keys(&[
-            GUESS,
-            Key::new(
-                "about",
-                Takes::Word(&ABOUT),
-                (
-                    "modes about a place of rest, or about the motion as it is at the start",
-                    "формы около положения покоя (rest) или около движения в начальный момент (start)",
-                ),
-                "\"start\"",
-            )
-            .default("\"rest\"", "\"rest\"")
-            .flag(
-                "about_start",
-                "start",
-                (
-                    "About the motion at the start instead of a place of rest",
-                    "Около движения в начальный момент, а не около положения покоя",
-                ),
-            ),
-            Key::new(
-                "over",
-                Takes::Varied,
-                ("a parameter to follow them along", "параметр, вдоль которого прослеживаются формы"),
-                "\"Omega\"",
-            )
-            .option("A parameter along which the modes are followed", "Параметр, вдоль которого прослеживаются формы")
-            .needs("range"),
-            Key::new(
-                "range",
-                Takes::RangeOf("over"),
-                ("values of `over`, from and to", "границы значений `over`"),
-                "[\"0 rad/s\", \"300 rad/s\"]",
-            )
-            .option("Its values, from and to: \"0 rad/s,600 rad/s\"", "Его значения, от и до: \"0 rad/s,600 rad/s\"")
-            .needs("over"),
-            Key::new("points", Takes::Count("M093", 2), ("number of its values", "число его значений"), "73")
-                .default("101", "101")
-                .option("Number of its values", "Число его значений")
-                .needs("over"),
-            Key::new(
-                "normalise",
-                Takes::Word(&SCALES),
-                (
-                    "scale of mode shapes: largest, first (coordinate) or mass",
-                    "нормировка форм: largest (наибольшая), first (первая координата) или mass",
-                ),
-                "\"mass\"",
-            )
-            .default("\"largest\"", "\"largest\"")
-            .option("Scale of the shapes", "Нормировка форм: наибольшая компонента 1, первая координата 1 или по массе"),
-            Key::new(
-                "frequency_variable",
-                Takes::FrequencyVariable,
-                ("unknown of the frequency equation over the frequency k", "неизвестное частотного уравнения, выраженное через частоту k"),
-                "{ z = \"m*k^2/c\" }",
-            ),
-        ])
-        .check(|asked| {
-            let lost = asked.get("over").is_some() && !asked.has("range");
-            let range = lost.then(|| no_range("[\"0 rad/s\", \"300 rad/s\"]"));
-            range.into_iter().chain(of_rest_alone(asked)).collect()
-        });
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
+    crate::small::modes::NAME,
+    ("Find natural frequencies and shapes of small motions", "Найти собственные частоты и формы малых колебаний"),
+)
+.keys(&[
+    GUESS,
+    Key::new(
+        "about",
+        Takes::Word(&ABOUT),
+        (
+            "modes about a place of rest, or about the motion as it is at the start",
+            "формы около положения покоя (rest) или около движения в начальный момент (start)",
+        ),
+        "\"start\"",
+    )
+    .default("\"rest\"", "\"rest\"")
+    .flag(
+        "about_start",
+        "start",
+        ("About the motion at the start instead of a place of rest", "Около движения в начальный момент, а не около положения покоя"),
+    ),
+    Key::new("over", Takes::Varied, ("a parameter to follow them along", "параметр, вдоль которого прослеживаются формы"), "\"Omega\"")
+        .option("A parameter along which the modes are followed", "Параметр, вдоль которого прослеживаются формы")
+        .needs("range"),
+    Key::new("range", Takes::RangeOf("over"), ("values of `over`, from and to", "границы значений `over`"), "[\"0 rad/s\", \"300 rad/s\"]")
+        .option("Its values, from and to: \"0 rad/s,600 rad/s\"", "Его значения, от и до: \"0 rad/s,600 rad/s\"")
+        .needs("over"),
+    Key::new("points", Takes::Count("M093", 2), ("number of its values", "число его значений"), "73")
+        .default("101", "101")
+        .option("Number of its values", "Число его значений")
+        .needs("over"),
+    Key::new(
+        "normalise",
+        Takes::Word(&SCALES),
+        (
+            "scale of mode shapes: largest, first (coordinate) or mass",
+            "нормировка форм: largest (наибольшая), first (первая координата) или mass",
+        ),
+        "\"mass\"",
+    )
+    .default("\"largest\"", "\"largest\"")
+    .option("Scale of the shapes", "Нормировка форм: наибольшая компонента 1, первая координата 1 или по массе"),
+    Key::new(
+        "frequency_variable",
+        Takes::FrequencyVariable,
+        ("unknown of the frequency equation over the frequency k", "неизвестное частотного уравнения, выраженное через частоту k"),
+        "{ z = \"m*k^2/c\" }",
+    ),
+])
+.check(|asked| {
+    let lost = asked.get("over").is_some() && !asked.has("range");
+    let range = lost.then(|| no_range("[\"0 rad/s\", \"300 rad/s\"]"));
+    range.into_iter().chain(of_rest_alone(asked)).collect()
+});
 
 /// Keys that the motion at the start has no use for.
 fn of_rest_alone(asked: &Asked) -> Vec<Objection> {
@@ -142,9 +132,27 @@ impl Study for Natural {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("find the natural frequencies and mode shapes", "определить собственные частоты и формы колебаний")
+    }
+    fn chapter(&self) -> &'static str {
+        "free"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Shapes
+    }
+    fn concludes(&self, _: &Machine, results: &Results, _: Language) -> Vec<Conclusion> {
+        let all = results.data.column("omega").map(|c| c.values.clone());
+        all.and_then(|all| Some(Conclusion::Lowest { omega: lowest(&all)?, all })).into_iter().collect()
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Some(natural(machine, &Modes::of(asked), watch))
     }
+}
+
+/// The least positive value.
+fn lowest(values: &[f64]) -> Option<f64> {
+    values.iter().copied().filter(|w| w.is_finite() && *w > 0.0).reduce(f64::min)
 }
 
 /// Natural frequencies and shapes.

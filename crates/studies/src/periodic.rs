@@ -2,7 +2,7 @@
 
 use super::keys::{AT, EVERY, OUTPUTS, PERIOD, PLOT, SECTION, SETTLE, TOLERANCE, TURNS};
 use super::section::of_state;
-use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
+use super::{Conclusion, Fact, Finds, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::machine::{Machine, explained};
 use crate::plan;
 use crate::results::finite::checked;
@@ -10,12 +10,12 @@ use crate::watch::{Lap, Watch};
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
-use mechanics::asked::{Asked, Key, Kind, Objection, Takes, Value as Taken};
+use mechanics::asked::{Asked, Key, Kind, Objection, Takes, Value as Taken, Words};
 use mechanics::model::{Plot, Times};
 use serde_json::{Value, json};
 use std::cell::RefCell;
 use symbolic::{Expr, SymbolId};
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
 
 /// Steps of the search for a parameter.
 const STEPS: usize = 60;
@@ -88,7 +88,8 @@ impl Periodic {
 /// The study.
 pub struct Regimes;
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "periodic",
     (
         "Find the exact periodic regime: period, multipliers, motion over one period",
@@ -125,7 +126,8 @@ static KIND: Kind = Kind::new(
     TOLERANCE,
     PLOT,
 ])
-.check(objections);
+.check(objections)
+.repeatable();
 
 fn objections(asked: &Asked) -> Vec<Objection> {
     let mut found = Vec::new();
@@ -162,6 +164,17 @@ impl Study for Regimes {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("find the periodic regime and its stability", "найти периодический режим и исследовать его устойчивость")
+    }
+    fn finds(&self) -> Finds {
+        Finds::Regime
+    }
+    fn concludes(&self, _: &Machine, results: &Results, _: Language) -> Vec<Conclusion> {
+        let period = results.facts.iter().find(|f| f.quantity.name == "period").map(|f| f.value);
+        let stable = results.own.get("stable").and_then(serde_json::Value::as_bool);
+        period.zip(stable).map(|(period, stable)| Conclusion::Regime { period, stable }).into_iter().collect()
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let study = Periodic::of(asked);
         // what is tuned is this study's machine, not that of the studies behind it
@@ -170,7 +183,7 @@ impl Study for Regimes {
     }
     /// What the file says, changed by the command line; a turn or a return found by itself when nobody says what a period is.
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        let asked = overlaid(&KIND, given.written.or(given.of_file).unwrap_or_else(|| Asked::new("periodic")), given.line);
+        let asked = overlaid(&KIND, given.written.or(given.of_file).unwrap_or_else(|| Asked::new(KIND.name)), given.line);
         if given.line.has("turns") && asked.coordinate("section").is_none() {
             let (en, ru) =
                 ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
@@ -195,7 +208,7 @@ pub fn exact(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Resu
     watch.lap(Lap::Run);
     checked(match found {
         Ok((outcome, tuning)) => results(machine, study, outcome, tuning),
-        Err(trouble) => Results::failed("periodic", heading(), trouble),
+        Err(trouble) => Results::failed(KIND.name, heading(), trouble),
     })
 }
 
@@ -292,6 +305,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         returns,
         begin: formula.as_ref().map(|f| f as &dyn Fn(f64, &[f64]) -> f64),
         settle: study.settle,
+        // multipliers lose digits of the motion: it is followed more closely than it is shown
         tolerance: study.tolerance.min(1e-13),
         grid,
         outputs: Some(plotted),
@@ -340,6 +354,7 @@ fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch
         start = Some(outcome.regime.start.clone());
         Ok((other, outcome))
     };
+    // a thousandth: far above the digits of a period, far below where it bends
     let step = if first == 0.0 { 1e-3 } else { 1e-3 * first };
     let (mut a, mut b) = (first, first + step);
     let mut miss_a = at(a, watch)?.1.regime.period - wanted;
@@ -352,6 +367,7 @@ fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch
             best = Some((miss.abs(), b, other, outcome));
         }
         let slope = (miss - miss_a) / (b - a);
+        // where the digits of a period end: what comes no nearer there has arrived
         if miss.abs() <= EXACT * wanted || slope == 0.0 || !slope.is_finite() || !better && miss.abs() < 1e-11 * wanted {
             break;
         }
@@ -361,6 +377,7 @@ fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch
         (a, miss_a, b) = (b, miss, b + change);
     }
     match best {
+        // nine digits of a wanted period are what anybody can use
         Some((miss, value, other, outcome)) if miss <= 1e-9 * wanted => {
             let keep = (machine.model_hash.clone(), machine.origin.clone());
             *machine = other;
@@ -380,7 +397,7 @@ fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch
 /// The study as it reads with other values of parameters: its formulas may depend on them.
 pub fn reread(machine: &Machine, other: &Machine, study: &Periodic) -> Periodic {
     let of = |machine: &Machine| -> Vec<Periodic> {
-        machine.model.studies.iter().filter(|asked| asked.kind == "periodic").map(Periodic::of).collect()
+        machine.model.studies.iter().filter(|asked| asked.kind == KIND.name).map(Periodic::of).collect()
     };
     let place = of(machine).iter().position(|p| p.section == study.section && p.period == study.period);
     match place.and_then(|k| of(other).get(k).cloned()) {
@@ -424,7 +441,7 @@ pub(super) fn results(machine: &Machine, study: &Periodic, outcome: Outcome, tun
     let Outcome { regime, fault } = outcome;
     let trouble = fault.map(|fault| explained(fault, &machine.equations));
     let mut results =
-        Results { kind: "periodic", heading: heading(), plots: study.plots.clone(), rows: Rows::Summary, ..Results::default() };
+        Results { kind: KIND.name, heading: heading(), plots: study.plots.clone(), rows: Rows::Summary, ..Results::default() };
     results.data = provenance::stamp(regime.dataset.clone(), &machine.equations, &machine.model_hash);
     if trouble.is_none() {
         facts(&mut results, machine, &regime, tuning);

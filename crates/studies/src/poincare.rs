@@ -2,7 +2,7 @@
 
 use super::keys::{METHOD, OUTPUTS, PLOT, SETTLE, TOLERANCE_OF_MOTION, UNTIL};
 use super::simulate::{Simulate, moving, options};
-use super::{Found, Given, Interrupts, Results, Rows, Study, overlaid};
+use super::{Finds, Found, Given, Interrupts, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine, explained};
 use crate::results::finite::checked;
@@ -11,7 +11,7 @@ use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
 use analysis::studies::poincare::{Poincare, Section, poincare};
-use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes, Value, Way, Written};
+use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes, Value, Way, Words, Written};
 use mechanics::model::{Plot, Times};
 use report::figure::Pen;
 use symbolic::equations::{Output, Role};
@@ -37,7 +37,8 @@ static DIRECTIONS: Choice = Choice {
     help: ("write \"rising\", \"falling\" or \"both\"", "напишите \"rising\", \"falling\" или \"both\""),
 };
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "poincare",
     (
         "Find section points of a motion, where a formula passes zero or once a period",
@@ -150,9 +151,18 @@ impl Study for SectionPoints {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("find the section points of the motion", "построить сечение Пуанкаре")
+    }
+    fn chapter(&self) -> &'static str {
+        "motion"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Points
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let mut results = Results {
-            kind: "poincare",
+            kind: KIND.name,
             heading: Text::new("Poincaré section", "Сечение Пуанкаре"),
             rows: Rows::All,
             plots: asked.plots().to_vec(),

@@ -1,18 +1,19 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
 use super::keys::{GUESS, OUTPUTS};
-use super::{Found, Study};
+use super::{Finds, Found, Study};
 use crate::machine::Machine;
 use crate::results::finite::checked;
 use crate::small::asked::Response;
 use crate::watch::{Lap, Watch};
-use mechanics::asked::{Asked, Key, Kind, Takes};
+use mechanics::asked::{Asked, Key, Kind, Takes, Words};
 
 /// The study.
 pub struct Forced;
 
-static KIND: Kind = Kind::new(
-    "response",
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
+    crate::small::response::NAME,
     ("Find forced oscillations over the frequency of a load", "Рассчитать вынужденные колебания в зависимости от частоты нагрузки"),
 )
 .keys(&[
@@ -64,6 +65,18 @@ static KIND: Kind = Kind::new(
 impl Study for Forced {
     fn kind(&self) -> &'static Kind {
         &KIND
+    }
+    fn wanted(&self) -> Words {
+        (
+            "find the amplitudes and phases of the forced oscillations over the frequency",
+            "построить амплитудно-частотные и фазочастотные характеристики вынужденных колебаний",
+        )
+    }
+    fn chapter(&self) -> &'static str {
+        "forced"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Amplitudes
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let found = crate::small::response::find(machine, &Response::of(asked));

@@ -1,7 +1,7 @@
 //! The study `simulate`: a motion from its start, as a table, with events, checks and the digits that a repetition confirms.
 
-use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
-use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study, of_file, overlaid};
+use super::keys::{AT, EVERY, METHOD, MOTIONS, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
+use super::{Conclusion, Extra, Finds, Found, Given, Interrupts, Repeats, Results, Study, of_file, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{Machine, explained};
 use crate::results::finite::checked;
@@ -11,11 +11,11 @@ use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::studies;
 use analysis::studies::simulate::{Grid, Outcome, Simulate as Options};
-use mechanics::asked::{Asked, Kind, Value};
+use mechanics::asked::{Asked, Kind, Value, Words};
 use mechanics::model::{Plot, Times};
 use serde_json::json;
 use symbolic::Equations;
-use words::{Notice, Printed};
+use words::{Language, Notice, Printed};
 
 /// A step of the integrator spans about a radian of the quickest oscillation.
 const POINTS_A_STEP: f64 = 4.0;
@@ -93,19 +93,25 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
 pub struct Motion;
 
 /// Its keys.
-pub static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение")).keys(&[
-    UNTIL,
-    TOLERANCE_OF_MOTION,
-    METHOD,
-    EVERY,
-    AT,
-    OUTPUTS,
-    PLOT,
-]);
+pub static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение"))
+    .keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT])
+    .repeatable();
 
 impl Study for Motion {
     fn kind(&self) -> &'static Kind {
         &KIND
+    }
+    fn wanted(&self) -> Words {
+        ("integrate the equations of motion", "найти закон движения численным интегрированием")
+    }
+    fn chapter(&self) -> &'static str {
+        "motion"
+    }
+    fn finds(&self) -> Finds {
+        Finds::Motion
+    }
+    fn concludes(&self, machine: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        crate::results::greatest(&machine.equations, (&results.data, &results.plots), language)
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let study = Simulate::of(asked).with_plots(&machine.equations);
@@ -121,7 +127,7 @@ impl Study for Motion {
         Some(motion(machine, &Simulate::of(asked), watch))
     }
     fn of_file(&self) -> &'static [&'static [&'static str]] {
-        &[&["simulate", "inverse"]]
+        &[MOTIONS]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         merged(&KIND, &machine.equations, given)
@@ -174,8 +180,8 @@ pub fn merged(kind: &Kind, equations: &Equations, given: Given) -> Result<Asked,
 /// # Errors
 /// Nobody says how long (C007).
 pub fn with_values(machine: &Machine, values: &[(&'static str, Value)]) -> Result<Simulate, Failure> {
-    let line = values.iter().fold(Asked::new("simulate"), |line, (key, value)| line.with(key, value.clone()));
-    let of_file = of_file(machine, &["simulate", "inverse"]).cloned();
+    let line = values.iter().fold(Asked::new(KIND.name), |line, (key, value)| line.with(key, value.clone()));
+    let of_file = of_file(machine, MOTIONS).cloned();
     let asked = merged(&KIND, &machine.equations, Given { written: None, of_file, line: &line, drawn: false })?;
     Ok(Simulate::of(&asked))
 }
@@ -227,7 +233,7 @@ pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], wat
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     let own = json!({"until": study.until, "tolerance": study.tolerance, "method": study.method.name()});
     checked(Results {
-        kind: "simulate",
+        kind: KIND.name,
         stem: "motion",
         alone: Alone::Table,
         heading: report::Word::Simulation.text(),

@@ -19,7 +19,7 @@ use crate::machine::{self, Machine};
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use asked::Stability;
-use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way};
+use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
 use mechanics::units::Dimension;
 use words::Text;
 use words::explain::{Explanation, plain};
@@ -137,9 +137,12 @@ impl Study for Disturbances {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("find whether small disturbances grow", "исследовать устойчивость по отношению к малым возмущениям")
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let study = Stability::of(asked);
-        let mut results = Results { kind: "stability", heading: Text::new("Stability", "Устойчивость"), ..Results::default() };
+        let mut results = Results { kind: KIND.name, heading: Text::new("Stability", "Устойчивость"), ..Results::default() };
         results.data = machine::no_numbers(machine);
         let done = match &study.over {
             Some(range) => walk::walk(machine, (&study, range), &mut results, watch),
@@ -152,7 +155,7 @@ impl Study for Disturbances {
         Some(checked(results))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        let asked = overlaid(&KIND, given.written.or(given.of_file).unwrap_or_else(|| Asked::new("stability")), given.line);
+        let asked = overlaid(&KIND, given.written.or(given.of_file).unwrap_or_else(|| Asked::new(KIND.name)), given.line);
         if given.line.has("turns") && asked.coordinate("section").is_none() {
             let (en, ru) =
                 ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");

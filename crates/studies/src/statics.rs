@@ -2,7 +2,7 @@
 
 mod conditions;
 
-use super::{Fact, Found, Repeats, Results, Study};
+use super::{Conclusion, Fact, Found, Repeats, Results, Study};
 use crate::machine::Machine;
 use crate::provenance;
 use crate::results::finite::checked;
@@ -11,9 +11,9 @@ use analysis::Dataset;
 use analysis::dataset::Audit;
 use analysis::rest::mean::Resting;
 use analysis::studies::statics::{Statics as Rest, statics};
-use mechanics::asked::{Asked, Kind};
+use mechanics::asked::{Asked, Kind, Words};
 use serde_json::{Value, json};
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
 
 /// Largest relative remainder of an equation of equilibrium.
 const LIMIT: f64 = 1e-10;
@@ -21,11 +21,28 @@ const LIMIT: f64 = 1e-10;
 /// The study.
 pub struct Statics;
 
-static KIND: Kind = Kind::new("statics", ("Find reactions and internal forces at rest", "Найти реакции и внутренние усилия в покое"));
+/// Reactions that a conclusion names.
+const HELD: usize = 10;
+
+/// Its name and its keys.
+pub static KIND: Kind =
+    Kind::new(crate::structure::statics::NAME, ("Find reactions and internal forces at rest", "Найти реакции и внутренние усилия в покое"))
+        .repeatable();
 
 impl Study for Statics {
     fn kind(&self) -> &'static Kind {
         &KIND
+    }
+    fn wanted(&self) -> Words {
+        ("find the reactions and the internal forces", "найти реакции опор и внутренние усилия")
+    }
+    fn chapter(&self) -> &'static str {
+        "reactions"
+    }
+    fn concludes(&self, _: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        let unique = results.facts.iter().filter(|f| f.value.is_finite() && !f.quantity.name.contains(' '));
+        let found = unique.take(HELD).map(|f| crate::results::shown(&f.quantity, f.value, language)).collect();
+        vec![Conclusion::Held { found }]
     }
     /// Of a frame or truss where there are nodes, otherwise of bodies with supports and joints.
     fn run(&self, machine: &mut Machine, _: &Asked, _: &mut Watch) -> Found {
@@ -43,7 +60,7 @@ fn of_bodies(machine: &mut Machine) -> Results {
     });
     let results = match judged {
         Ok(found) => results(machine, &found),
-        Err(fault) => Results::failed("statics", heading(), Notice::from(fault)),
+        Err(fault) => Results::failed(KIND.name, heading(), Notice::from(fault)),
     };
     checked(results)
 }
@@ -77,7 +94,7 @@ fn results(machine: &Machine, found: &Rest) -> Results {
     let data = Dataset { audits, notes, ..Dataset::default() };
     let ends = found.reactions.iter().filter(|r| r.value.is_none()).flat_map(ends);
     let facts = found.reactions.iter().map(fact).chain(ends).collect();
-    let mut results = Results { kind: "statics", heading: heading(), facts, words: words(machine, found), ..Results::default() };
+    let mut results = Results { kind: KIND.name, heading: heading(), facts, words: words(machine, found), ..Results::default() };
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     let reaction = |r: &analysis::studies::statics::Reaction| {
         json!({"name": r.quantity.name, "symbol": r.quantity.symbol, "value": r.value, "unit": r.quantity.unit,

@@ -11,6 +11,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The same relative to the largest reaction of the machine, and in newtons.
 const NOISE: f64 = 1e-13;
+// newtons: no machine has such a force, and none is divided by it
 const NOUGHT: f64 = 1e-30;
 
 /// A strand that would have to push, when the reactions have these values, one for each place of rest.

@@ -4,17 +4,17 @@ mod repeated;
 mod rests;
 
 use super::keys::OWN_PLOT;
-use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
+use super::{Finds, Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::observable::{Absent, Observable};
-use crate::provenance;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
+use crate::{periodic, provenance, simulate, statics};
 use analysis::dataset::{Audit, Column, Missing};
 use analysis::reduce::NAMES;
 use analysis::{Dataset, Quantity};
-use mechanics::asked::{Asked, Key, Kind, Takes, Value as Taken, Way};
+use mechanics::asked::{Asked, Key, Kind, Takes, Value as Taken, Way, Words};
 use mechanics::model::{Plot, SweepRange};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
@@ -24,9 +24,13 @@ use repeated::{Repeated, changed, observing, one};
 
 /// Results of the study `periodic` that no other study has.
 const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
-
-/// What a study may be repeated.
-const REPEATED: [&str; 6] = ["equilibrium", "simulate", "inverse", "statics", "periodic", "cycle"];
+/// Studies that find what they need without a word of the file.
+static ALONE: [&Kind; 2] = [&periodic::KIND, &statics::KIND];
+/// What a sweep repeats.
+const REPEATED: Words = (
+    "a sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse",
+    "серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse",
+);
 
 /// A study repeated over values of parameters; SI.
 #[derive(Clone, Debug)]
@@ -62,7 +66,8 @@ impl Sweep {
 /// The study.
 pub struct Sweeping;
 
-static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of parameters", "Повторить расчёт для ряда значений параметров"))
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of parameters", "Повторить расчёт для ряда значений параметров"))
     .keys(&[
         Key::new(
             "over",
@@ -95,7 +100,7 @@ static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of parameter
         .way(Way::Written),
         Key::new(
             "of",
-            Takes::KindOf(&REPEATED),
+            Takes::Repeatable,
             ("kind of the study of the file that is repeated", "вид расчёта из файла, который повторяется"),
             "\"periodic\"",
         )
@@ -108,6 +113,9 @@ static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of parameter
 impl Study for Sweeping {
     fn kind(&self) -> &'static Kind {
         &KIND
+    }
+    fn wanted(&self) -> Words {
+        ("investigate the influence of parameters", "исследовать влияние параметров")
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Some(repeated(machine, &Sweep::of(asked), watch))
@@ -126,7 +134,7 @@ impl Study for Sweeping {
     /// Options of every study that it repeats, the first of each name.
     fn inner(&self, all: &Studies) -> Vec<&'static Key> {
         let mut keys: Vec<&'static Key> = Vec::new();
-        for key in all.iter().filter(|study| REPEATED.contains(&study.kind().name)).flat_map(|study| study.kind().keys) {
+        for key in all.iter().filter(|study| study.kind().repeatable).flat_map(|study| study.kind().keys) {
             let own = KIND.key(key.name).is_some() || keys.iter().any(|k| k.name == key.name);
             // rows and columns are those that are observed; names of coordinates need the study in the file
             let idle = matches!(key.takes, Takes::Results | Takes::Moments | Takes::Step);
@@ -158,7 +166,7 @@ fn nothing_to_sweep() -> Failure {
 /// The study for every combination of the values.
 pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Results {
     let mut results = Results {
-        kind: "sweep",
+        kind: KIND.name,
         heading: Text::new("Sweep", "Серия расчётов"),
         rows: Rows::All,
         plots: study.plots.clone(),
@@ -175,20 +183,15 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Resu
     checked(results)
 }
 
-#[expect(clippy::too_many_lines, reason = "one loop and what is said of it, in the order of the page")]
+/// Runs row by row, then what is said of all of them, in the order of the page.
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
     let wanted = wanted(machine, study)?;
     let (base, of) = base(machine, study, &wanted)?;
+    let repeated = Repeated { base: &base, of, inner: &study.inner };
     let count: usize = study.over.iter().map(|range| range.values.len()).product();
-    let mut columns: Vec<Column> = study.over.iter().map(|range| column_of(machine, range)).collect();
-    columns.extend(wanted.iter().map(|(quantity, _)| Column { quantity: quantity.clone(), values: Vec::new() }));
     let mut data = Dataset { axis: (study.over.len() == 1).then_some(0), ..Dataset::default() };
-    let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Notice>) = (None, 0, None);
-    let own = study.over.len();
-    let mut without: Vec<(String, Text)> = Vec::new();
-    let (mut changed, mut anew) = (machine.clone(), 0);
-    let (mut checked_runs, mut doubtful) = (0, Vec::new());
-    let mut stands: Vec<(f64, rests::Stands)> = Vec::new();
+    let mut rows = Gathered::new(machine, study, &wanted);
+    let (mut changed, mut anew, mut guess) = (machine.clone(), 0, None);
     for row in 0..count {
         if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             data.partial = true;
@@ -196,56 +199,15 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
             break;
         }
         let values = place(&study.over, row);
-        let outcome = one((&mut changed, &mut anew), &Repeated { base: &base, of, inner: &study.inner }, &values, &mut guess, watch);
-        stands.push((values[0].1, outcome.as_ref().ok().and_then(|finding| rests::stands(machine, &finding.data))));
-        if let Ok(finding) = &outcome {
-            let audits = &finding.data.audits;
-            checked_runs += usize::from(!audits.is_empty());
-            doubtful.extend(audits.iter().find(|a| !a.ok).map(|audit| (values.clone(), audit.clone())));
-        }
-        let outcome = outcome.and_then(|finding| wanted.iter().map(|(_, w)| number(&finding, w)).collect::<Result<Vec<_>, _>>());
-        for (column, (_, value)) in columns.iter_mut().zip(&values) {
-            column.values.push(*value);
-        }
-        match outcome {
-            Ok(numbers) => {
-                for ((column, (quantity, _)), (value, described)) in columns[own..].iter_mut().zip(&wanted).zip(numbers) {
-                    column.values.push(value);
-                    if quantity.unit == "1" && column.quantity.unit == "1" {
-                        column.quantity = described.unwrap_or_else(|| quantity.clone());
-                    }
-                }
-            }
-            Err(trouble) => {
-                columns[own..].iter_mut().for_each(|column| column.values.push(f64::NAN));
-                failed += 1;
-                first.get_or_insert(trouble);
-            }
-        }
+        let outcome = one((&mut changed, &mut anew), &repeated, &values, &mut guess, watch);
+        rows.take(machine, &wanted, &values, outcome);
         if let Some(progress) = &mut watch.progress {
             progress((row + 1) as f64 / count as f64);
         }
     }
-    if checked_runs > 0 {
-        data.audits.push(judged(doubtful.len()));
-        data.notes.extend(doubtful.first().map(|(values, audit)| doubt(values, audit)));
-    }
-    if let Some(trouble) = first {
-        let (en, ru) = (&trouble.what.en, &trouble.what.ru);
-        let code = trouble.code;
-        let words = Text::new(
-            format!("no result for {failed} of {count} values; the first: {en} [{code}]"),
-            format!("нет результата для {failed} значений из {count}; первое: {ru} [{code}]"),
-        );
-        without.extend(columns[own..].iter().map(|c| (c.quantity.name.clone(), words.clone())));
-        data.notes.push(words);
-        if failed == count {
-            results.trouble = Some(trouble);
-        }
-    }
-    if base.kind == "equilibrium" && study.over.len() == 1 {
-        let repeated = Repeated { base: &base, of, inner: &study.inner };
-        let changes = rests::remarks(&mut changed, &repeated, &columns[0].quantity, &stands);
+    let mut without = rows.tell(&mut data, results, count);
+    if machine.origin.studies.finds(base.kind) == Finds::Rest && study.over.len() == 1 {
+        let changes = rests::remarks(&mut changed, &repeated, &rows.columns[0].quantity, &rows.stands);
         let list: Vec<Value> = changes.iter().map(|(value, what)| json!({"value": value, "what": what.en})).collect();
         results.own.insert("changes".into(), json!(list));
         data.notes.extend(changes.into_iter().map(|c| c.1));
@@ -258,12 +220,86 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     }
     if results.plots.is_empty() && study.over.len() == 1 {
         let plot = |c: &Column| mechanics::model::Plot { title: Text::default(), x: None, y: vec![c.quantity.name.clone()] };
-        results.plots = columns[own..].iter().map(plot).collect();
+        results.plots = rows.columns[rows.own..].iter().map(plot).collect();
     }
-    without.extend(partly_absent(&columns[own..], &without));
-    data.columns = columns;
+    without.extend(partly_absent(&rows.columns[rows.own..], &without));
+    data.columns = rows.columns;
     without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
     Ok(data)
+}
+
+/// What the runs have given so far.
+struct Gathered {
+    /// The values first, then what is wanted.
+    columns: Vec<Column>,
+    /// Number of columns of values.
+    own: usize,
+    failed: usize,
+    /// The first of the troubles.
+    first: Option<Notice>,
+    /// Runs with checks, and those of which a check failed.
+    checked: usize,
+    doubtful: Vec<(Vec<(String, f64)>, Audit)>,
+    stands: Vec<(f64, rests::Stands)>,
+}
+
+impl Gathered {
+    fn new(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Observable)]) -> Gathered {
+        let mut columns: Vec<Column> = study.over.iter().map(|range| column_of(machine, range)).collect();
+        columns.extend(wanted.iter().map(|(quantity, _)| Column { quantity: quantity.clone(), values: Vec::new() }));
+        Gathered { columns, own: study.over.len(), failed: 0, first: None, checked: 0, doubtful: Vec::new(), stands: Vec::new() }
+    }
+
+    /// The row of one run.
+    fn take(&mut self, machine: &Machine, wanted: &[(Quantity, Observable)], values: &[(String, f64)], outcome: Result<Results, Notice>) {
+        self.stands.push((values[0].1, outcome.as_ref().ok().and_then(|finding| rests::stands(machine, &finding.data))));
+        if let Ok(finding) = &outcome {
+            let audits = &finding.data.audits;
+            self.checked += usize::from(!audits.is_empty());
+            self.doubtful.extend(audits.iter().find(|a| !a.ok).map(|audit| (values.to_vec(), audit.clone())));
+        }
+        let outcome = outcome.and_then(|finding| wanted.iter().map(|(_, w)| number(&finding, w)).collect::<Result<Vec<_>, _>>());
+        let (own, found) = self.columns.split_at_mut(self.own);
+        for (column, (_, value)) in own.iter_mut().zip(values) {
+            column.values.push(*value);
+        }
+        match outcome {
+            Ok(numbers) => {
+                for ((column, (quantity, _)), (value, described)) in found.iter_mut().zip(wanted).zip(numbers) {
+                    column.values.push(value);
+                    if quantity.unit == "1" && column.quantity.unit == "1" {
+                        column.quantity = described.unwrap_or_else(|| quantity.clone());
+                    }
+                }
+            }
+            Err(trouble) => {
+                found.iter_mut().for_each(|column| column.values.push(f64::NAN));
+                self.failed += 1;
+                self.first.get_or_insert(trouble);
+            }
+        }
+    }
+
+    /// Checks and troubles of all runs; the columns that lack values for these.
+    fn tell(&mut self, data: &mut Dataset, results: &mut Results, count: usize) -> Vec<(String, Text)> {
+        if self.checked > 0 {
+            data.audits.push(judged(self.doubtful.len()));
+            data.notes.extend(self.doubtful.first().map(|(values, audit)| doubt(values, audit)));
+        }
+        let Some(trouble) = self.first.take() else { return Vec::new() };
+        let (en, ru) = (&trouble.what.en, &trouble.what.ru);
+        let (code, failed) = (trouble.code, self.failed);
+        let words = Text::new(
+            format!("no result for {failed} of {count} values; the first: {en} [{code}]"),
+            format!("нет результата для {failed} значений из {count}; первое: {ru} [{code}]"),
+        );
+        let without = self.columns[self.own..].iter().map(|c| (c.quantity.name.clone(), words.clone())).collect();
+        data.notes.push(words);
+        if failed == count {
+            results.trouble = Some(trouble);
+        }
+        without
+    }
 }
 
 /// Columns with numbers at some values only, of which nothing has been said.
@@ -347,7 +383,7 @@ fn wanted(machine: &Machine, study: &Sweep) -> Result<Vec<(Quantity, Observable)
             found.push((described, observable));
         }
     }
-    if let Some(of) = study.of.as_deref().filter(|of| found.is_empty() && *of != "periodic") {
+    if let Some(of) = study.of.as_deref().filter(|of| found.is_empty() && *of != periodic::KIND.name) {
         return Err(nothing_observed(of));
     }
     if found.is_empty() {
@@ -368,9 +404,9 @@ fn unknown(name: &str, machine: &Machine) -> Notice {
 fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Observable)]) -> Result<(Asked, Option<usize>), Notice> {
     let fields = || wanted.iter().filter_map(|(_, w)| w.root());
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
-    let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
+    let kind = study.of.as_deref().or(of_periodic.then_some(periodic::KIND.name));
     let first = |fits: &dyn Fn(&Asked) -> bool| machine.model.studies.iter().position(fits);
-    let repeatable = |asked: &Asked| asked.kind != "equations" && sort(machine, asked) != Repeats::Never;
+    let repeatable = |asked: &Asked| machine.origin.studies.finds(asked.kind) != Finds::Formulas && sort(machine, asked) != Repeats::Never;
     let of = match kind {
         Some(kind) => first(&|asked| asked.kind == kind),
         // greatest values are those of a motion, else of a place of rest: a shape of modes has no size
@@ -381,22 +417,19 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Observable)]) -> 
     };
     let in_file = of.map(|k| &machine.model.studies[k]);
     let column = wanted.iter().find_map(|(_, w)| w.column());
-    if let (Some("modes"), Some(name)) = (in_file.map(|asked| asked.kind), column) {
+    if let (Some(Finds::Shapes), Some(name)) = (in_file.map(|asked| machine.origin.studies.finds(asked.kind)), column) {
         return Err(rows_only(name));
     }
     let mut base = match (in_file, kind) {
         (Some(asked), _) => changed(machine, asked.kind, Some(asked.clone()), &study.inner)?,
-        (None, Some(kind @ ("periodic" | "statics"))) => changed(machine, kind, None, &study.inner)?,
+        (None, Some(kind)) if ALONE.iter().any(|study| study.name == kind) => changed(machine, kind, None, &study.inner)?,
         (None, Some(kind)) if machine.origin.studies.find(kind).is_some() && !study.inner.values().is_empty() => {
             changed(machine, kind, None, &study.inner)?
         }
-        (None, None) if study.inner.has("until") => changed(machine, "simulate", None, &study.inner)?,
+        (None, None) if study.inner.has("until") => changed(machine, simulate::KIND.name, None, &study.inner)?,
         _ => {
             return Err(Notice::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
-                .why(
-                    "a sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse",
-                    "серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse",
-                )
+                .why(REPEATED.0, REPEATED.1)
                 .help("add that study to the file, or observe the period", "добавьте такой расчёт в файл или наблюдайте период (period)"));
         }
     };

@@ -1,8 +1,8 @@
 //! The study `transient`: the motion of a linear system in closed form, phase by phase.
 
-use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
+use super::keys::{AT, EVERY, METHOD, MOTIONS, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
 use super::simulate::{Simulate, drawn, merged, moving, options};
-use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study};
+use super::{Extra, Finds, Found, Given, Interrupts, Repeats, Results, Study};
 use crate::failure::Failure;
 use crate::machine::Machine;
 use crate::phases::{self, Phases};
@@ -14,7 +14,7 @@ use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::studies::simulate::Outcome;
 use analysis::studies::transient::Found as Closed;
-use mechanics::asked::{Asked, Key, Kind, Takes};
+use mechanics::asked::{Asked, Key, Kind, Takes, Words};
 use serde_json::json;
 use std::sync::Arc;
 use words::{Notice, Printed};
@@ -31,7 +31,8 @@ pub struct Transient {
 /// The study.
 pub struct ClosedForm;
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "transient",
     (
         "Compute the motion of a linear system in closed form, phase by phase",
@@ -60,6 +61,15 @@ impl Study for ClosedForm {
     fn kind(&self) -> &'static Kind {
         &KIND
     }
+    fn wanted(&self) -> Words {
+        ("find the motion in closed form, phase by phase", "найти закон движения в замкнутой форме по этапам нагружения")
+    }
+    fn chapter(&self) -> &'static str {
+        "motion"
+    }
+    fn finds(&self) -> Finds {
+        Finds::ClosedForm
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let linearise = asked.flag("linearise");
         let motion = Simulate::of(asked).with_plots(&machine.equations);
@@ -74,7 +84,7 @@ impl Study for ClosedForm {
         Some(closed_form(machine, &study, watch))
     }
     fn of_file(&self) -> &'static [&'static [&'static str]] {
-        &[&["transient"], &["simulate", "inverse"]]
+        &[&["transient"], MOTIONS]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         merged(&KIND, &machine.equations, given)
@@ -112,7 +122,7 @@ pub fn solved(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> (R
     let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
     let own = fields(json!({"until": study.motion.until, "phases": phases::to_json(&phases)}));
     let results = Results {
-        kind: "transient",
+        kind: KIND.name,
         alone: Alone::WrittenOrTable,
         heading: Say::ClosedForm.text(),
         own,

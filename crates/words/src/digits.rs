@@ -4,6 +4,7 @@ use crate::Text;
 
 /// A number in both languages: decimal point and decimal comma, a true minus, `9.61·10⁻⁵`.
 pub fn number(value: f64) -> Text {
+    // three zeros behind the point and six digits before it are still read at a glance
     let plain = value == 0.0 || (1e-4..1e6).contains(&value.abs());
     let typed = if plain { format!("{value}") } else { format!("{value:e}") };
     let (mantissa, exponent) = typed.split_once('e').map_or((typed.as_str(), None), |(m, e)| (m, Some(e)));
@@ -32,6 +33,7 @@ pub fn seven_digits(value: f64) -> Text {
 /// Ten digits, as they are typed in again.
 pub fn ten_digits(value: f64) -> Text {
     let short: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+    // as in [`number`]
     let plain = short == 0.0 || (1e-4..1e6).contains(&short.abs());
     let en = if plain { format!("{short}") } else { format!("{short:e}") };
     Text { ru: en.replace('.', ","), en }

@@ -42,6 +42,12 @@ impl Text {
     }
 }
 
+/// The words with the first letter large.
+pub fn capital(words: &str) -> String {
+    let mut chars = words.chars();
+    chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Language, Text};

@@ -70,7 +70,7 @@ impl BodyBalance {
             *largest = largest.max(*size);
             self.strongest = self.strongest.max(*size);
         }
-        let own = |([_, size], largest): (&[f64; 2], &f64)| size.max(1e-3 * *largest);
+        let own = |([_, size], largest): (&[f64; 2], &f64)| size.max(super::PASSING * *largest);
         let clear = rows.iter().zip(&self.largest).all(|(row, largest)| row[0].abs() <= CLEAR * own((row, largest)));
         // what closes against its own terms needs no further size
         let inertia = if clear { Vec::new() } else { self.inertia(t, step, system) };
@@ -101,6 +101,6 @@ impl BodyBalance {
             "Newton-Euler balance of every body with its reactions: largest relative residual",
             "уравнения Ньютона-Эйлера для каждого тела с его реакциями: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0).then(|| Audit::at_most("body_balance", name, self.found.worst(), (1e3 * tolerance).max(1e-9)))
+        (self.known && self.taken > 0).then(|| Audit::at_most("body_balance", name, self.found.worst(), super::limit(tolerance)))
     }
 }

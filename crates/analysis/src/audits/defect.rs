@@ -129,6 +129,6 @@ impl InteriorDefect {
             .iter()
             .map(Frontier::worst)
             .fold(0.0_f64, |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) });
-        (self.known && self.steps > 0).then(|| Audit::at_most("interior_defect", name, worst, (1e3 * tolerance).max(1e-9)))
+        (self.known && self.steps > 0).then(|| Audit::at_most("interior_defect", name, worst, super::limit(tolerance)))
     }
 }

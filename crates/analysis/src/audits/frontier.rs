@@ -3,12 +3,10 @@
 //! A residual counts against what has met so far: a wrong beginning is not excused by a strong end. But the terms of the whole motion are rounded to
 //! 1e-16 of their own size (a torque M (1 + tanh)/2 that has not begun yet is noise of 1e-16 M), so no scale is below [`FLOOR`] of the last.
 
-use super::ROUNDED;
+use super::{LEAST, ROUNDED};
 
 /// Share of the scale of the whole motion below which everything is rounding: then 64 units of the last place meet the least limit of the audits.
-pub const FLOOR: f64 = ROUNDED * f64::EPSILON / LEAST_LIMIT;
-/// The least limit of an audit that uses this.
-const LEAST_LIMIT: f64 = 1e-9;
+pub const FLOOR: f64 = ROUNDED * f64::EPSILON / LEAST;
 /// Scales closer than this are one.
 const ALIKE: f64 = 1.01;
 

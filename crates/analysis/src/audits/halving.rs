@@ -17,7 +17,7 @@ pub fn tolerance_halving(columns: &[Column], finer: &[Column], tolerance: f64) -
     let one = |(a, b): (&Column, &Column)| difference(&a.values, &b.values, SMALL * of_unit(&a.quantity.unit));
     let worst = columns.iter().zip(finer).map(one).fold(0.0, f64::max);
     let name = Text::new("tolerance halving: largest relative difference", "половинная точность: наибольшее относительное расхождение");
-    Audit::at_most("tolerance_halving", name, worst, (AMPLIFICATION * tolerance).max(1e-9))
+    Audit::at_most("tolerance_halving", name, worst, (AMPLIFICATION * tolerance).max(super::LEAST))
 }
 
 fn size(values: &[f64]) -> f64 {

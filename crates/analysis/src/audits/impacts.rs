@@ -89,5 +89,5 @@ pub fn relative<S: System + ?Sized>(system: &mut S, t: f64, states: [&[f64]; 2],
 /// The drift that projections removed; none when there was nothing to project.
 pub fn drift(removed: f64, projections: u64, tolerance: f64) -> Option<Audit> {
     let name = Text::new("connections: largest drift removed, relative", "связи: наибольший устранённый уход, относительно");
-    (projections > 0).then(|| Audit::at_most("connection_drift", name, removed, (1e3 * tolerance).max(1e-9)))
+    (projections > 0).then(|| Audit::at_most("connection_drift", name, removed, super::limit(tolerance)))
 }

@@ -19,6 +19,7 @@ use words::Text;
 
 use super::damping::damping_alone;
 use super::frontier::{FLOOR, Frontier};
+use super::{LEAST, ROUNDED};
 use crate::dataset::Audit;
 use crate::integrate::Step;
 use crate::{Mode, Supply, System};
@@ -27,7 +28,6 @@ use algebra::sum::two_sum;
 
 /// A motion whose energy is off by more than this is wrong at any tolerance.
 const MOST: f64 = 1e-3;
-const LEAST: f64 = 1e-9;
 /// Share of the tolerance, relative to what passed, below which a difference may be rounding.
 const ROUGH: f64 = 0.03;
 /// Halvings of a step.
@@ -180,7 +180,7 @@ impl Ledger {
     fn add(&mut self, residual: f64) {
         let (high, low) = two_sum(self.open.0, residual);
         self.open = (high, self.open.1 + low);
-        let scale = self.kinetic.max(self.range).max(self.passed).max(64.0 * f64::EPSILON / LEAST * self.rounding);
+        let scale = self.kinetic.max(self.range).max(self.passed).max(ROUNDED * f64::EPSILON / LEAST * self.rounding);
         let value = (self.open.0 + self.open.1).abs();
         self.found.note(value, scale);
     }
@@ -232,6 +232,7 @@ impl Ledger {
             let right = self.gauss(step, system, (middle, to), &TWELVE)?;
             let off = (left.net + right.net - coarse.net).abs().max((left.rest + right.rest - coarse.rest).abs());
             parts += 1;
+            // a thousandth of what the motion itself may be wrong by, or rounding of the powers
             let enough = off <= 1e-3 * self.tolerance * (whole.passed + sum.passed) || off <= 4.0 * f64::EPSILON * self.rounding;
             // what does not fall with the part is rounding of the powers, as long as it is little
             let rounding = off > 0.25 * before && off <= ROUGH * self.tolerance * (whole.passed + sum.passed);
@@ -263,7 +264,7 @@ impl Ledger {
             "work of the motors: change of energy less the work of everything else, relative to the energy that passed",
             "работа двигателей: изменение энергии за вычетом работы всего остального, относительно прошедшей энергии",
         );
-        let scale = self.kinetic.max(self.range).max(self.passed).max(64.0 * f64::EPSILON / LEAST * self.rounding);
+        let scale = self.kinetic.max(self.range).max(self.passed).max(ROUNDED * f64::EPSILON / LEAST * self.rounding);
         let off = (work - self.owed).abs();
         let limit = (self.steps as f64 * self.tolerance).clamp(LEAST, MOST);
         Audit::at_most("work", name, if off == 0.0 { 0.0 } else { off / scale }, limit)

@@ -21,3 +21,17 @@ mod virtual_work;
 
 /// Units of the last place to which the terms of a motion are rounded.
 const ROUNDED: f64 = 64.0;
+
+/// The least limit of an audit along a motion: below it rounding rules, while a wrong term shows as 1e-3 and more.
+const LEAST: f64 = 1e-9;
+
+/// What the error of a step grows to in an audit: the derivative of a polynomial of order p multiplies it by p (p <= 40, 25 in reserve).
+const GROWN: f64 = 1e3;
+
+/// Share of the largest scale of a row so far below which no scale of that row is: where its terms pass through zero together nothing closes against them.
+const PASSING: f64 = 1e-3;
+
+/// The limit of an audit of a motion of this tolerance.
+fn limit(tolerance: f64) -> f64 {
+    (GROWN * tolerance).max(LEAST)
+}

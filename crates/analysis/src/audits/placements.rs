@@ -4,6 +4,7 @@
 
 use crate::system::Layout;
 use algebra::elementary;
+use algebra::space::{Vector, cross, dot, minus, norm};
 
 /// Points less one; even, so that the middle of the stretch is one of them.
 pub(super) const N: usize = 16;
@@ -18,8 +19,6 @@ pub(super) const BODY: usize = 19;
 
 /// Numbers of what acts on a body.
 pub(super) const WRENCH: usize = 12;
-
-pub(super) type Vector = [f64; 3];
 
 /// What acts on a body by itself.
 pub(super) struct Wrench {
@@ -147,7 +146,7 @@ impl Placements {
             p.iter_mut().zip(linear).for_each(|(sum, v)| *sum += weight * v);
             l.iter_mut().zip(angular).for_each(|(sum, v)| *sum += weight * v);
         }
-        let far = (0..=N).fold(0.0_f64, |m, k| m.max(length([of(k, 1), of(k, 2), of(k, 3)])));
+        let far = (0..=N).fold(0.0_f64, |m, k| m.max(norm([of(k, 1), of(k, 2), of(k, 3)])));
         let inertia = [13, 14, 15].iter().fold(0.0_f64, |m, i| m.max(of(N / 2, *i).abs()));
         let speed = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(derivative(i, N / 2).abs()));
         let tail = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(self.tail(nodes, BODY * body + i)));
@@ -183,22 +182,6 @@ fn chebyshev() -> Vec<f64> {
         d[i * n + i] = -(0..n).map(|j| d[i * n + j]).sum::<f64>();
     }
     d
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(super) fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
 }
 
 #[cfg(test)]

@@ -76,7 +76,7 @@ impl PowerBalance {
         let Some(still) = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes) else { return };
         let scale = (p.rate - still.rate).abs() + still.rate.abs() + p.loads.abs() + p.drives.abs() + p.dissipated.abs();
         self.largest = self.largest.max(scale);
-        let scale = scale.max(1e-3 * self.largest);
+        let scale = scale.max(super::PASSING * self.largest);
         let residual = (p.rate - (p.loads + p.drives - p.dissipated)).abs();
         // what closes against the powers of the instant needs no further scale
         let scale = if residual <= CLEAR * scale { scale } else { scale.max(self.further((t, step), system, [&p, &still])) };
@@ -131,6 +131,6 @@ impl PowerBalance {
             "power balance dE/dt = supplied − dissipated: largest relative residual",
             "баланс мощностей dE/dt = подведённая − рассеянная: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0).then(|| Audit::at_most("power_balance", name, self.found.worst(), (1e3 * tolerance).max(1e-9)))
+        (self.known && self.taken > 0).then(|| Audit::at_most("power_balance", name, self.found.worst(), super::limit(tolerance)))
     }
 }

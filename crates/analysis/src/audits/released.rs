@@ -16,10 +16,11 @@
 //! F and M are all loads and reactions with their moment about the origin of the ground, another point than that of the balances. A reaction from which a load or an
 //! inertia force was left out breaks it.
 
+use algebra::space::{Vector, cross, dot, minus, norm};
 use words::Text;
 
 use super::frontier::Frontier;
-use super::placements::{BODY, N, Placements, Vector, Wrench, cross, dot, length, minus};
+use super::placements::{BODY, N, Placements, Wrench};
 use super::virtual_work::VirtualWork;
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -93,7 +94,7 @@ impl ReleasedBalance {
         self.largest.resize(terms.len(), 0.0);
         for (term, largest) in terms.iter().zip(&mut self.largest) {
             *largest = largest.max(term.size);
-            self.found.note(term.residual, term.size.max(1e-3 * *largest).max(term.rounding / LIMIT));
+            self.found.note(term.residual, term.size.max(super::PASSING * *largest).max(term.rounding / LIMIT));
             self.strongest = self.strongest.max(term.size);
         }
         self.found.whole(self.strongest);
@@ -124,7 +125,7 @@ impl ReleasedBalance {
                     let (linear, angular) = (dot(p, shift), dot(l, turn));
                     residual -= linear + angular;
                     size += linear.abs() + angular.abs();
-                    rounding += noise[0] * length(shift) + noise[1] * length(turn);
+                    rounding += noise[0] * norm(shift) + noise[1] * norm(turn);
                 }
                 list.push(Terms { residual: residual.abs(), size, rounding });
             }
@@ -159,6 +160,6 @@ impl ReleasedBalance {
             "количество движения и кинетический момент освобождённых тел по их положениям: наибольшая относительная невязка",
         );
         (self.known && self.taken > 0 && !self.layout.frames.is_empty())
-            .then(|| Audit::at_most("released_balance", name, self.found.worst(), (1e3 * tolerance).max(LIMIT)))
+            .then(|| Audit::at_most("released_balance", name, self.found.worst(), (super::GROWN * tolerance).max(LIMIT)))
     }
 }

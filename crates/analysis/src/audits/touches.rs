@@ -248,6 +248,7 @@ impl TouchLaws {
 
     /// The audits of what there is.
     pub fn audits(&self, tolerance: f64) -> Vec<Audit> {
+        // rounding below, a wrong sign above
         let limit = (STEPPED * tolerance).clamp(1e-9, WIDEST);
         let audit = |key: &str, (en, ru): (&str, &str), found: &Frontier| Audit::at_most(key, Text::new(en, ru), found.worst(), limit);
         let mut list = Vec::new();

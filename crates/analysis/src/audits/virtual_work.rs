@@ -12,10 +12,11 @@
 //! the motion. Nothing of the derivation of the equations goes in here, neither gradients nor accelerations. Displacements in which a body cannot move by its coordinates are those of
 //! [`super::released`].
 
+use algebra::space::{Vector, dot, norm};
 use words::Text;
 
 use super::frontier::Frontier;
-use super::placements::{BODY, N, Placements, Vector, Wrench, dot, length};
+use super::placements::{BODY, N, Placements, Wrench};
 use crate::System;
 use crate::dataset::Audit;
 use crate::system::Layout;
@@ -98,9 +99,9 @@ impl VirtualWork {
             let [p, l, noise] = momenta[b];
             sum += dot(own.force, *shift) + dot(own.moment, *turn) - dot(p, *shift) - dot(l, *turn);
             size += own.size(*shift, *turn) + dot(p, *shift).abs() + dot(l, *turn).abs();
-            rounding += noise[0] * length(*shift) + noise[1] * length(*turn);
+            rounding += noise[0] * norm(*shift) + noise[1] * norm(*turn);
             // of the displacement itself: places by the size of the machine, rotations by one
-            rounding += rounded * (length(own.sizes[0]) + length(p)) + turned * (length(own.sizes[1]) + length(l));
+            rounding += rounded * (norm(own.sizes[0]) + norm(p)) + turned * (norm(own.sizes[1]) + norm(l));
         }
         for (along, d) in here[here.len() - 2 * layout.along..].chunks(2).zip(way) {
             sum += along[0] * d;
@@ -109,7 +110,7 @@ impl VirtualWork {
         let scale = match alone {
             Some(j) => {
                 self.largest[j] = self.largest[j].max(size);
-                size.max(1e-3 * self.largest[j])
+                size.max(super::PASSING * self.largest[j])
             }
             None => size,
         };
@@ -123,6 +124,6 @@ impl VirtualWork {
             "work of all loads, reactions and inertia forces on virtual displacements of all bodies: largest relative residual",
             "работа всех нагрузок, реакций и сил инерции на возможных перемещениях всех тел: наибольшая относительная невязка",
         );
-        (self.taken > 0).then(|| Audit::at_most("virtual_work", name, self.found.worst(), (1e3 * tolerance).max(LIMIT)))
+        (self.taken > 0).then(|| Audit::at_most("virtual_work", name, self.found.worst(), (super::GROWN * tolerance).max(LIMIT)))
     }
 }

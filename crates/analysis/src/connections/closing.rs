@@ -17,8 +17,9 @@ use super::level::Level;
 use symbolic::connections::Law;
 
 use crate::Fault;
-use algebra::qr::{Qr, norm};
+use algebra::qr::Qr;
 use algebra::random::Random;
+use algebra::vectors::norm;
 use words::digits::number;
 
 /// Largest relative violation of a closed loop.
@@ -131,6 +132,7 @@ impl Bench<'_> {
             if better {
                 let gained = norm(&self.residual(&next, rows)) < 0.999 * before;
                 x.copy_from_slice(&next);
+                // damping below the digits that rows have changes nothing
                 damping = if damping > 1e-9 { 0.1 * damping } else { 0.0 };
                 if !gained && gap <= CLOSED {
                     break;
@@ -140,6 +142,7 @@ impl Bench<'_> {
                 if gap <= 16.0 * f64::EPSILON || damping > 1e8 {
                     break;
                 }
+                // first so little that a regular step stays as it is, then ten times more
                 damping = if damping == 0.0 { 1e-6 } else { 10.0 * damping };
             }
         }
@@ -321,6 +324,7 @@ impl Bench<'_> {
             }
         }
         self.evaluate(&x)?;
+        // solved to thirteen digits in rows of unlike sizes
         let closed = rows.iter().all(|&c| self.rate(c).abs() <= 1e-11 * self.rate_size(c, &x).max(self.rate_scale(c, guess)));
         Ok(closed.then_some(x))
     }
@@ -382,6 +386,7 @@ impl Bench<'_> {
     fn involved(&self, rows: &[usize], condition: usize) -> Text {
         let others: Vec<usize> = rows.iter().copied().filter(|c| *c != condition).collect();
         let shares = self.combination(&others, condition).unwrap_or_default();
+        // a condition whose share is smaller takes no part that is worth naming
         let names = others.iter().zip(&shares).filter(|(_, s)| **s > 1e-6).map(|(c, _)| self.name(*c));
         listed(names.chain([self.name(condition)]))
     }

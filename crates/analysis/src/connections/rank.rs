@@ -15,8 +15,9 @@ use words::Text;
 use super::Undetermined;
 use super::bench::{Bench, listed};
 use crate::Fault;
-use algebra::qr::{Qr, norm};
+use algebra::qr::Qr;
 use algebra::random::Random;
+use algebra::vectors::norm;
 
 /// Places around the start that are asked whether reactions are open.
 const AROUND: usize = 9;
@@ -180,6 +181,7 @@ impl Bench<'_> {
         for step in FAR.into_iter().cycle().take(AROUND) {
             self.evaluate(&x)?;
             let Some(mut near) = self.along_the_motion(&x, (rows, step), &mut random) else { continue };
+            // closed but for what Newton in rows of unlike sizes leaves
             let closed = placed.is_empty() || self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
             if closed && self.released(&near).is_ok() && self.evaluate(&near).is_ok() {
                 places.push(near);
@@ -303,7 +305,9 @@ impl Bench<'_> {
             let Some(mut near) = near else { continue };
             let everything: Vec<usize> = (0..self.n).collect();
             let placed: Vec<usize> = rows.iter().copied().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
+            // closed but for what Newton in rows of unlike sizes leaves
             let closed = self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
+            // far enough that a rank that only holds here is seen to change
             let moved = (0..self.n).any(|j| (near[j] - x[j]).abs() > 1e-4 * if self.is_angle(j) { 1.0 } else { self.length() });
             if !closed || !moved || self.evaluate(&near).is_err() {
                 continue;
@@ -339,6 +343,7 @@ impl Bench<'_> {
         let back = if m == 0 { vec![0.0; n] } else { Qr::new(&matrix, n, m).shortest(&blocked) };
         let way: Vec<f64> = way.iter().zip(&back).zip(&self.reach).map(|((w, b), reach)| (w - b) / reach).collect();
         let longest = (0..n).fold(0.0_f64, |l, j| l.max(way[j].abs() / if self.is_angle(j) { 1.0 } else { self.length() }));
+        // rounding of the null vectors is no direction
         if longest.is_nan() || longest <= 1e-9 {
             return None;
         }

@@ -460,6 +460,7 @@ impl Solved {
         for way in &self.open {
             let change: f64 = share.iter().zip(way).map(|(s, v)| s * v).sum();
             let terms: f64 = share.iter().zip(way).map(|(s, v)| (s * v).abs()).sum();
+            // terms that cancel leave rounding of the null vector
             if change.abs() > 1e-9 * terms {
                 let k = (0..share.len()).find(|k| share[*k] * way[*k] != 0.0).unwrap_or(0);
                 return Err(Fault::open_reaction(name(k), name(k)));

@@ -14,7 +14,7 @@
 use algebra::elementary;
 use std::sync::Arc;
 
-use program::{Behind, Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
+use program::{Behind, Bound, ConnectionRoots, Construct, Evaluator, LawRoots, Point};
 use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
@@ -143,7 +143,7 @@ impl Conditions {
                     _ => Holds::Always,
                 },
             };
-            let shares = |kind: &GuardKind| matches!(kind, GuardKind::Share { reaction, .. } if Some(*reaction) == c.reaction);
+            let shares = |kind: &Construct| matches!(kind, Construct::Share { reaction, .. } if Some(*reaction) == c.reaction);
             let share = program.guards.iter().position(|g| shares(&g.kind));
             let name = c.reaction.map_or_else(|| c.name.clone(), |r| whole(&equations.reactions[r]));
             rows.push(Row { condition, has_place: c.place.is_some(), reaction: c.reaction, holds, share, name });

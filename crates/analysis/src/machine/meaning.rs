@@ -12,7 +12,7 @@ use crate::system::Layout;
 use crate::{Fault, GuardKind, Mode, Quantity};
 
 pub(super) fn kind(equations: &Equations, program: &Program, guard: usize) -> GuardKind {
-    use program::GuardKind as Kind;
+    use program::Construct as Kind;
     match program.guards[guard].kind {
         Kind::Sliding { limits, .. } => GuardKind::Friction { limits, pressed: pressing(equations, program, guard) },
         Kind::Normal { reaction } => {
@@ -62,8 +62,8 @@ pub(super) fn rubbing(equations: &Equations, program: &Program) -> Vec<Option<us
     frictions.map(|(i, _)| program.switches.get(i).copied().flatten()).collect()
 }
 
-pub(super) fn is_tie(equations: &Equations, kind: &program::GuardKind) -> bool {
-    let program::GuardKind::Gap { reaction, .. } = kind else { return false };
+pub(super) fn is_tie(equations: &Equations, kind: &program::Construct) -> bool {
+    let program::Construct::Gap { reaction, .. } = kind else { return false };
     matches!(equations.reactions[*reaction].law, Law::Contact { tie: true, .. })
 }
 

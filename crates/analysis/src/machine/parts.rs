@@ -12,6 +12,7 @@ const SLACK: f64 = 1e-10;
 
 /// Most repetitions for the direction of a normal impulse, and where they end.
 const TURNS: usize = 200;
+// some units of the last place of a direction
 const TURNED: f64 = 1e-15;
 /// What a unit does in a blow.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use program::{GuardKind, Mode, Program};
+use program::{Construct, Mode, Program};
 use symbolic::Equations;
 use symbolic::connections::{Law, Normal};
 
@@ -28,8 +28,8 @@ impl Sharing {
         let mut sharing = Sharing { piecewise: crate::connections::is_piecewise(equations), ..Sharing::default() };
         for (i, guard) in program.guards.iter().enumerate() {
             match guard.kind {
-                GuardKind::Share { of, .. } => sharing.shares.push([i, of]),
-                GuardKind::Normal { reaction } => sharing.sides.push((reaction, i)),
+                Construct::Share { of, .. } => sharing.shares.push([i, of]),
+                Construct::Normal { reaction } => sharing.sides.push((reaction, i)),
                 _ => {}
             }
         }

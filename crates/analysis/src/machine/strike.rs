@@ -282,6 +282,7 @@ impl Strike {
 
     pub(super) fn blow(&self, before: &[f64]) -> Blow {
         let units = || self.units.iter().enumerate().filter(|(_, unit)| !matches!(unit.law, Law::Rough));
+        // a rate that the law makes zero is solved to thirteen digits
         let stops = |i: usize| self.impulses[i] != 0.0 && self.rates[i].abs() <= 1e-12 * self.sizes[i];
         Blow {
             rates: units().map(|(i, unit)| (unit.guard, [before[i], self.rates[i]])).collect(),

@@ -93,6 +93,7 @@ impl Course {
     /// Integrals, with these values at the two ends.
     pub(crate) fn overall(&self, ends: [&[f64]; 2]) -> Vec<Overall> {
         let one = |(k, [integral, length]): (usize, &[f64; 2])| {
+            // lengths of steps are summed with rounding
             let whole = !self.is_lost(k) && (length - self.span).abs() <= 1e-9 * self.span;
             Overall {
                 column: k + 1,

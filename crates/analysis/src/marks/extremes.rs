@@ -197,6 +197,7 @@ impl Extremes {
     /// Integrals and last values of the columns. An integral is no number where a part of the motion is missing.
     pub fn overall(&self) -> Vec<Overall> {
         let one = |(j, [high, low, done]): (usize, &[f64; 3])| {
+            // lengths of steps are summed with rounding
             let whole = (done - self.span).abs() <= 1e-9 * self.span;
             let integral = if whole { high + low } else { f64::NAN };
             Overall { column: j + 1, integral, span: self.span, first: self.first[j].1, last: self.last[j] }

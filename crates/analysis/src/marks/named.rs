@@ -173,6 +173,7 @@ fn polished<L: Line>(bracket: &Bracket, piece: &Piece, along: &mut L) -> f64 {
     let rough = if piece.row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) };
     let width = piece.to - piece.from;
     let mut exact = |u: f64| along.output(piece.from + width * u, piece.of);
+    // shares of the piece: the polynomial is true to nine digits at least where the step was taken
     let near = 1e-9;
     let (a, b) = ((rough - near).max(from), (rough + near).min(to));
     let (fa, fb) = (exact(a), exact(b));

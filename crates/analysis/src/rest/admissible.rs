@@ -10,8 +10,9 @@
 //! are admissible. For each choice of the signs of the N it is a linear programme: no y means that the machine does not rest, and the least and greatest λ_k
 //! over all admissible y are what statics says about a reaction (A. A. Markeev, Theoretical Mechanics, on friction at rest).
 
-use algebra::qr::{DEPENDENT, Qr, norm};
+use algebra::qr::{DEPENDENT, Qr};
 use algebra::simplex::{Inequality, Optimum, largest};
+use algebra::vectors::norm;
 
 /// Slack of inequalities, relative to the largest force: at a limit that is reached exactly rounding decides nothing.
 const SLACK: f64 = 1e-9;

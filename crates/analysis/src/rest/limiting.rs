@@ -18,7 +18,8 @@ use super::system::{Parts, RestSystem, Row, Rows};
 use super::unknowns::{Impending, Limited, limit_rows, signs};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
-use algebra::qr::{self, norm};
+use algebra::qr;
+use algebra::vectors::norm;
 
 /// Intervals of the range; Newton's method begins at their ends.
 const PARTS: usize = 64;
@@ -45,6 +46,7 @@ pub fn limiting(
         for place in places {
             let inside = (range.from..=range.to).contains(&place[range.coordinate]);
             let close =
+                // a range that is a point has no width of its own
                 |a: &Vec<f64>| (0..n).all(|j| (a[j] - place[j]).abs() <= ALIKE * (range.to - range.from).max(1e-3 * place[j].abs()));
             if inside && !found.iter().any(close) {
                 found.push(place);

@@ -10,7 +10,7 @@ use super::system::{Parts, RestSystem};
 use crate::Fault;
 use crate::connections::assemble;
 use algebra::lu::Lu;
-use algebra::qr::norm;
+use algebra::vectors::{dot, norm};
 
 /// Remainder of the equations where a place rests as it is, when Newton's method makes it no better.
 const RESTS: f64 = 1e-12;
@@ -100,13 +100,13 @@ impl Near {
             let rows = self.system.at(&z).ok()?;
             let basis = tangents_of(&rows, n);
             let k = basis.len();
-            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             let turned: Vec<Vec<f64>> = basis.iter().map(|t| rows.forces.iter().map(|r| dot(&r.slopes[..n], t)).collect()).collect();
             let matrix: Vec<f64> = (0..k * k).map(|p| -dot(&basis[p / k], &turned[p % k])).collect();
             let force: Vec<f64> = rows.forces.iter().map(|r| r.value).collect();
             let right: Vec<f64> = basis.iter().map(|t| dot(t, &force)).collect();
             let y = if k == 0 { Vec::new() } else { Lu::new(&matrix, k).solve(&right)? };
             let length = norm(&y);
+            // some ten units of the last place of the state
             let standing = length <= 1e-14 * norm(&q) || length >= before;
             if standing && worst(&rest_rows(&rows, &z), &z) <= RESIDUAL {
                 return Some(z);

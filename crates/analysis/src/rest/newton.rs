@@ -2,7 +2,8 @@
 
 use super::system::{RestSystem, Row, Rows};
 use crate::Fault;
-use algebra::qr::{Qr, norm};
+use algebra::qr::Qr;
+use algebra::vectors::norm;
 
 const STEPS: usize = 100;
 /// Longest change of a coordinate in one step, SI.
@@ -70,6 +71,7 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
                 }
             }
             share *= 0.5;
+            // twenty halvings: no direction of descent
             if share < 1e-6 {
                 break false;
             }

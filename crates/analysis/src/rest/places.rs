@@ -19,8 +19,9 @@ use super::search::{Equilibrium, Range};
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, gap_size};
 use crate::Fault;
-use algebra::qr::{self, Qr, norm};
+use algebra::qr::{self, Qr};
 use algebra::random::Random;
+use algebra::vectors::norm;
 
 /// Contacts of which every choice of closed ones is tried.
 const CONTACTS: usize = 4;
@@ -82,6 +83,7 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
         found.notes.push(faults::one_of_many(name));
     }
     if let Some(Range { coordinate, from, to }) = options.over {
+        // places at an end of the range belong to it
         let slack = 1e-9 * (to - from);
         found.list.retain(|p| (from - slack..=to + slack).contains(&p.q[coordinate]));
         found.list.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
@@ -162,12 +164,14 @@ impl Search<'_> {
         let Ok(rows) = self.system.at(z) else { return };
         let q = &z[..n];
         let largest = z[n..].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        // a force that vanishes is known to nine digits of the largest
         let pulls = |c: usize| z[n + c] < -1e-9 * largest;
         let is_closed = |c: usize| self.closed.contains(&self.system.reactions[c]);
         if (0..self.system.reactions.len()).any(|c| is_closed(c) && pulls(c)) {
             return;
         }
         let open = self.system.contacts.iter().zip(&rows.gaps).filter(|(r, _)| !self.closed.contains(r));
+        // a gap that is just closed is known to nine digits of what moves it
         if open.into_iter().any(|(_, gap)| gap.value < -1e-9 * gap_size(gap, q)) {
             return;
         }
@@ -226,6 +230,7 @@ impl Search<'_> {
                     return;
                 }
             }
+            // radians or metres: an end of the range is reached within rounding of a step
             if q[range.coordinate] < low - 1e-9 || q[range.coordinate] > high + 1e-9 {
                 return;
             }
@@ -284,6 +289,7 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
         let z = system.z(q);
         let rows = system.at(&z).ok()?;
         let placed: Vec<&Row> = rows.places.iter().filter(|r| r.slopes[..n].iter().any(|s| *s != 0.0)).collect();
+        // some hundred units of the last place of the terms that meet
         if placed.iter().all(|r| newton::relative(r, &z) <= 1e-13) || placed.is_empty() {
             return Some(rows);
         }
@@ -299,6 +305,7 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
         if longest <= 4.0 * f64::EPSILON * norm(q) {
             let z = system.z(q);
             let rows = system.at(&z).ok()?;
+            // where no step helps any more, places are closed as far as audits ask
             let closed = rows.places.iter().all(|r| newton::relative(r, &z) <= 1e-10);
             return closed.then_some(rows);
         }

@@ -2,7 +2,8 @@
 
 use symbolic::{Equations, Expr};
 
-use algebra::qr::{Qr, norm};
+use algebra::qr::Qr;
+use algebra::vectors::norm;
 
 /// Share below which a remainder counts as nothing.
 pub(crate) const NOTHING: f64 = 1e-9;

@@ -8,6 +8,7 @@ use crate::{Fault, System};
 use algebra::cholesky::positive_definite;
 use algebra::lu::Lu;
 use algebra::qr::{DEPENDENT, Qr};
+use algebra::vectors::norm;
 use words::digits::rounded;
 
 /// What the search for rest asks of a machine.
@@ -169,6 +170,7 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
                     break;
                 }
                 share *= 0.5;
+                // twenty-six halvings: no direction of descent
                 if share < 1e-8 {
                     self.forces = before;
                     self.evaluate(&x)?;
@@ -259,6 +261,7 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
     fn rest(&self, x: Vec<f64>) -> Rest {
         let n = self.n;
         let k = |i: usize, j: usize| -self.jacobian[i * n + j];
+        // derivatives of a potential are symmetric to rounding; a follower force is off by its whole size
         let symmetric = (0..n).all(|i| (0..i).all(|j| (k(i, j) - k(j, i)).abs() <= 1e-9 * (k(i, j).abs() + k(j, i).abs())));
         let even: Vec<f64> = (0..n * n).map(|p| 0.5 * (k(p / n, p % n) + k(p % n, p / n))).collect();
         Rest { residual: self.residual(&x), stable: positive_definite(&even, n), symmetric, q: x[..n].to_vec() }
@@ -267,6 +270,7 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
     fn neutral(&self, lu: &Lu) -> Fault {
         let direction = lu.null_direction().unwrap_or_default();
         let largest = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        // rounding of a null vector names no coordinate
         let names: Vec<&str> = (0..self.n).filter(|&i| direction[i].abs() > 1e-9 * largest).map(|i| self.system.name(i)).collect();
         let names = names.join(", ");
         Fault::new(Message {
@@ -327,8 +331,4 @@ const PATIENCE: usize = 30;
 
 fn place_of(value: f64) -> Vec<f64> {
     vec![value]
-}
-
-fn norm(v: &[f64]) -> f64 {
-    v.iter().map(|a| a * a).sum::<f64>().sqrt()
 }

@@ -20,7 +20,8 @@ use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
 use crate::connections::assemble;
-use algebra::qr::{self, norm};
+use algebra::qr;
+use algebra::vectors::norm;
 
 /// Share of an unknown in a direction that changes no equation, above which it is open.
 const OPEN: f64 = 1e-7;

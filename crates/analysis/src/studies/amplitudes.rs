@@ -101,6 +101,7 @@ impl Amplitudes {
                 let biggest = |v: &[Complex]| v.iter().map(|z| size(*z)).fold(0.0, f64::max);
                 reach = reach.max(biggest(g) * biggest(p));
             }
+            // a finite part with six digits fewer than that is rounding of it
             if terms > 1e-6 * UNMOVED * reach && size(pole) > UNMOVED * terms {
                 infinite[0] |= pole.0.abs() > UNMOVED * size(pole);
                 infinite[1] |= pole.1.abs() > UNMOVED * size(pole);
@@ -162,6 +163,7 @@ pub(super) fn balanced(a: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
 pub(super) fn cleared(a: &[f64], b: &[f64], x: &mut [f64]) {
     let size = x.len();
     let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    // four digits above rounding: such an entry may be nothing but that of the others
     let doubtful: Vec<usize> = (0..size).filter(|i| x[*i] != 0.0 && x[*i].abs() < 1e-12 * largest).collect();
     if doubtful.is_empty() {
         return;

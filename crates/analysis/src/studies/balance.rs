@@ -32,6 +32,7 @@ use crate::studies::superposition::common;
 const MOST: usize = 280;
 /// Steps of Newton's method, and the correction that ends them, in scaled unknowns.
 const STEPS: usize = 10;
+// the root of rounding: what a quadratic iteration needs one more step from
 const SETTLED: f64 = 1e-7;
 /// A first correction beyond this share of the motion may lead to another one.
 const FAR: f64 = 0.3;
@@ -425,6 +426,7 @@ pub(super) fn counting(m: &Matrices, waves: &[Wave], rate: f64) -> Vec<bool> {
 
 /// Orders of a load beyond this multiple of the common rate, and those below this share of the largest amplitude, are left to the small motion.
 const HIGHEST: usize = 12;
+// see above
 pub(super) const TRACE: f64 = 1e-4;
 
 /// The loads at ω with the small motions that they force, by multiples of their common rate; none where there is no such rate or a motion is infinite.

@@ -259,6 +259,7 @@ fn missing(sum: &Sum, (columns, states, weight): (&[Vec<f64>], &[usize], &[f64])
 }
 
 fn changed(factors: &[f64]) -> usize {
+    // six digits: published numbers have fewer
     factors.iter().filter(|a| (*a - 1.0).abs() > 1e-6).count()
 }
 
@@ -306,6 +307,7 @@ fn groups(terms: &[Vec<f64>], states: &[usize]) -> Vec<Vec<usize>> {
     };
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for k in 0..terms.len() {
+        // squares of products over the states: some hundred units of the last place
         let alike = |g: &&mut Vec<usize>| elementary::powi(dot(g[0], k), 2) >= dot(g[0], g[0]) * dot(k, k) * (1.0 - 1e-13);
         match groups.iter_mut().find(alike) {
             Some(group) => group.push(k),

@@ -216,10 +216,12 @@ fn periodic_inertia<S: System + ?Sized>(machine: &mut Pair<'_, S>, steps: &[(Ste
         "приведённый момент инерции после цикла тот же: относительное расхождение",
     );
     let (Some((first, _)), Some((last, length))) = (steps.first(), steps.last()) else {
+        // nothing to compare
         return Ok(Audit::at_most("periodic_inertia", name, 0.0, 1e-9));
     };
     let (a, b) = (reduced(machine, first, 0.0, options)?, reduced(machine, last, *length, options)?);
     let off = (a.inertia - b.inertia).abs() / a.inertia.abs().max(b.inertia.abs()).max(f64::MIN_POSITIVE);
+    // a cycle that closes leaves rounding; one that does not is off by its play
     Ok(Audit::at_most("periodic_inertia", name, off, 1e-9))
 }
 
@@ -269,6 +271,7 @@ fn same_work<S: System + ?Sized>(
     );
     // a shaft that could not be held to the uniform rate has another motion
     let off = if uneven > 1e-9 { 0.0 } else { (again + gained - work).abs() / size.max(f64::MIN_POSITIVE) };
+    // a cycle that closes leaves rounding; one that does not is off by its play
     Ok(Audit::at_most("work_of_uniform_motion", name, off, 1e-9))
 }
 
@@ -282,6 +285,7 @@ pub(super) fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let end = start[j] + options.range;
     let sign = options.range.signum();
     let rate = if x[n + j] == 0.0 { options.rate } else { x[n + j] };
+    // a nanosecond: the length of a run is not nothing
     let most = 10.0 * (options.range / rate).abs().max(1e-9);
     let mut flow = Flow::start(system, 0.0, &x, &Options { tolerance: options.tolerance, span: most, ..Options::default() })?;
     let mut steps: Vec<(Step, f64)> = Vec::new();

@@ -82,6 +82,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
     }
     let steps = search.steps;
     if let Some(Range { coordinate, from, to }) = options.over {
+        // places at an end of the range belong to it
         let slack = 1e-9 * (to - from);
         found.retain(|rest| (from - slack..=to + slack).contains(&rest.q[coordinate]));
         found.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));

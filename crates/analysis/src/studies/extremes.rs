@@ -74,6 +74,7 @@ fn dense(modes: &Modes, from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     let mut marks: Vec<f64> = modes.modes.iter().filter(|m| m.kind == Kind::Oscillation && m.damped > 0.0).map(|m| m.damped).collect();
     let mut list: Vec<f64> = points.iter().map(|p| p.omega).collect();
     for m in modes.modes.iter().filter(|m| m.kind == Kind::Oscillation) {
+        // without damping points stand as near as those of a damping of a millionth
         let half = m.omega * m.ratio.abs().max(1e-6);
         for s in [0.1, 0.3, 0.6, 1.0, 2.0, 4.0, 10.0, 30.0, 100.0] {
             list.extend([m.damped - s * half, m.damped + s * half]);
@@ -86,6 +87,7 @@ fn dense(modes: &Modes, from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     }
     list.retain(|w| (from..=to).contains(w) && *w > 0.0);
     list.sort_by(f64::total_cmp);
+    // nine digits: the same frequency found twice
     list.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
     list
 }
@@ -114,6 +116,7 @@ impl Search<'_, '_> {
         self.modes.modes.iter().all(|m| m.root.0 == 0.0)
             && self.points.iter().all(|p| {
                 let z = p.outputs[self.k];
+                // a part across the line is rounding of the part along it
                 !magnitude(z).is_finite() || z.1.abs() <= 1e-12 * z.0.abs() || z.0.abs() <= 1e-12 * z.1.abs()
             })
     }
@@ -144,6 +147,7 @@ impl Search<'_, '_> {
         let mut found: Vec<Resonance> = Vec::new();
         for (i, mode) in self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation && m.root.0 == 0.0) {
             let omega = mode.damped;
+            // nine digits: the same frequency found twice
             if omega < from || omega > to || found.iter().any(|f| (f.omega - omega).abs() <= 1e-9 * omega) {
                 continue;
             }

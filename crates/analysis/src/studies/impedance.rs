@@ -198,6 +198,7 @@ impl Real {
         });
         let shift = combine(&along.unwrap_or_else(|| vec![0.0; k]));
         let regular: Vec<f64> = particular.iter().zip(&shift).map(|(x, s)| x + s).collect();
+        // some ten units of the last place of the largest entry
         let noise = 1e-14 * regular.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let regular: Vec<f64> = regular.into_iter().map(|v| if v.abs() <= noise { 0.0 } else { v }).collect();
         let poles = if excited { vec![self.unscaled(&pole)] } else { Vec::new() };

@@ -17,6 +17,7 @@ use words::explain::{Explanation, plain};
 
 /// Forces from oscillating coefficients that may be left out, relative to the terms: without a word, and with one.
 const FED_BACK: f64 = 1e-6;
+// see above
 const TOLD: f64 = 1e-2;
 /// Distance of amplitudes, motions and outputs from their straight lines that is worth a word.
 const BENT: f64 = 1e-2;
@@ -404,6 +405,7 @@ pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Se
     }
     // formulas over reactions are zero here and have no measure
     let share = |k: usize| match () {
+        // rounding of the terms that meet
         () if size[k] == 0.0 || off[k] <= BENT * reach[k] || off[k] <= 1e-12 * terms[k] => 0.0,
         () if reach[k] == 0.0 => f64::INFINITY,
         () => off[k] / reach[k],

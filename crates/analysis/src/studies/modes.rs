@@ -268,6 +268,7 @@ fn lost() -> Fault {
 
 /// Without damping an oscillation neither grows nor decays, up to rounding.
 fn conservative(mode: &mut Mode) {
+    // a double problem splits roots by some 1e-12 of them
     if mode.kind == Kind::Oscillation && mode.root.0.abs() <= 1e-9 * mode.omega {
         mode.root.0 = 0.0;
         mode.ratio = 0.0;

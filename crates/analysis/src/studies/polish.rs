@@ -32,11 +32,13 @@ pub(super) fn polish(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(
         let (matrix, right) = bordered(m, root_now, &x, &first);
         let (step, _) = Factors::new(&matrix, 2 * n + 2).refined(&matrix, &right);
         let change = elementary::hypot(step[n], step[2 * n + 1]) / elementary::hypot(root_now.0, root_now.1);
+        // it does not converge, and this is not rounding yet
         if !change.is_finite() || (change > 0.9 * before && change > 1e-12) {
             return None;
         }
         x.iter_mut().enumerate().for_each(|(i, z)| *z = (z.0 + step[i], z.1 + step[n + 1 + i]));
         root_now = (root_now.0 + step[n], root_now.1 + step[2 * n + 1]);
+        // rounding of a pencil of unlike sizes ends here
         if change <= SETTLED || (change >= before && change <= 1e-12) {
             break;
         }

@@ -141,6 +141,7 @@ pub fn phase(z: Complex) -> f64 {
     if z == (0.0, 0.0) || !magnitude(z).is_finite() {
         return f64::NAN;
     }
+    // a part of rounding turns no phase from -π to π
     if z.1.abs() <= 1e-14 * z.0.abs() {
         return if z.0 < 0.0 { -PI } else { 0.0 };
     }
@@ -252,6 +253,7 @@ impl<'m> Forced<'m> {
                     seen.push(self.excitation(&matrices)?.rates());
                 }
                 self.machine.set(parameter, value)?;
+                // proportional, but for rounding
                 let per = |(a, b): (&f64, &f64)| if a.abs() > 0.0 && (b - 2.0 * a).abs() <= 1e-12 * b.abs() { a / probe } else { f64::NAN };
                 (seen[0].iter().zip(&seen[1]).map(per).collect::<Vec<f64>>(), value)
             }
@@ -369,6 +371,7 @@ impl<'m> Forced<'m> {
         let excitation = self.excitation(&matrices)?;
         let load = self.load(&excitation, self.current, matrices.n);
         let largest =
+            // equal entries differ by rounding: the first of them counts
             load.iter().fold((0.0, 0.0), |best: Complex, z| if magnitude(*z) > magnitude(best) * (1.0 + 1e-12) { *z } else { best });
         if magnitude(largest) == 0.0 {
             return Err(no_load());
@@ -549,6 +552,7 @@ impl<'m> Forced<'m> {
     /// What outputs do by themselves at a frequency, the motion of a base for example.
     fn direct(&self, seen: &[Seen], omega: f64) -> Result<Vec<Complex>, Fault> {
         let rates = self.form_rates()?;
+        // the frequency asked for, but for rounding of the rates
         let own = |rate: f64| (rate.abs() - omega).abs() <= 1e-9 * omega;
         let one = |s: &Seen| {
             let mut y = (0.0, 0.0);

@@ -24,6 +24,7 @@ use crate::studies::shapes::{Complex, Damping, Kind, Mode, Modes, Normalisation,
 use crate::{Fault, Quantity};
 use algebra::lu::Lu;
 use algebra::qr::{DEPENDENT, Qr};
+use algebra::vectors::dot;
 use algebra::{eigen, qr};
 use words::explain::{Explanation, plain};
 
@@ -80,6 +81,7 @@ impl Form {
         for c in 0..k {
             let right: Vec<f64> = d.iter().map(|row| -row[c]).collect();
             let (x, residual) = if a.is_empty() { (vec![0.0; k], 0.0) } else { qr.least_squares(&right) };
+            // conditions that contradict leave a residual of their own size
             if residual > 1e-9 * largest(&d.concat()) {
                 return Err(refused(Text::new(
                     "a combination of the conditions on rates restrains no rate but the place",
@@ -167,6 +169,7 @@ pub(super) fn modes(m: &Matrices, names: &[Quantity], normalisation: Normalisati
     }
     notes.extend(remarks(&list));
     notes.push(counted(d - stairs.left, d));
+    // rounding of the parts is no gyroscopic or follower force
     let (present, along) = (|part: &[f64], whole: &[f64]| largest(part) > 1e-12 * largest(whole), m.reduced(&form.z, k));
     let gyroscopic = present(&parts(&along.damping, k).1, &along.damping);
     let circulatory = present(&parts(&along.stiffness, k).1, &along.stiffness);
@@ -373,10 +376,6 @@ fn residual(m: &Matrices, w: &[f64], p: usize, list: &[Mode]) -> Audit {
 
 fn alike(row: &[f64], size: f64) -> Vec<f64> {
     row.iter().map(|v| if size > 0.0 { v / size } else { 0.0 }).collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 /// Row-major A (r x c) times B (c x q).

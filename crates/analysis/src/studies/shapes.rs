@@ -124,6 +124,7 @@ pub(super) fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Op
     let mut remark: Option<Remark> = None;
     let divisor = match how {
         Normalisation::Largest => peak,
+        // a first entry of rounding normalises nothing
         Normalisation::First if size(&mode.shape[0]) > 1e-9 * biggest => mode.shape[0],
         Normalisation::First => {
             remark = Some(Box::new(|i| {
@@ -140,12 +141,14 @@ pub(super) fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Op
                 mass[p] * (x.0 * y.0 + x.1 * y.1)
             };
             let root = (0..n * n).map(term).sum::<f64>().sqrt();
+            // an entry with digits, by which the phase is turned
             let real = mode.shape.iter().find(|z| size(z) > 1e-3 * biggest).copied().unwrap_or(peak);
             let phase = size(&real);
             (real.0 / phase * root, real.1 / phase * root)
         }
     };
     mode.shape.iter_mut().for_each(|z| *z = divided(*z, divisor));
+    // some ten units of the last place of the largest entry
     let noise = 1e-14 * mode.shape.iter().map(size).fold(0.0, f64::max);
     for z in &mut mode.shape {
         if z.0.abs() < noise {
@@ -185,6 +188,7 @@ pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
             format!("неустойчиво: движение по форме {} растёт {} как exp({} t)", i + 1, how.1, rate.ru),
         ));
     }
+    // equal roots are computed apart by rounding
     let same = |a: &Mode, b: &Mode| a.omega > 0.0 && elementary::hypot(a.root.0 - b.root.0, a.root.1 - b.root.1) <= 1e-9 * a.omega;
     for (i, _) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
         notes.push(Text::new(

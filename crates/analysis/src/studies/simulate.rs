@@ -11,9 +11,10 @@ mod watching;
 use crate::System;
 use crate::audits::{digits, halving::tolerance_halving, second::two_derivations};
 use crate::dataset::Dataset;
-use crate::integrate::taylor::{TOLERANCES, order_for};
+use crate::integrate::taylor::order_for;
 use run::Run;
 use words::Text;
+use words::limits::TOLERANCES;
 
 pub(super) use options::{EVENTS, check, choose, requested, untraced};
 pub use options::{Grid, Outcome, Simulate};
@@ -51,14 +52,14 @@ pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
 /// The same run with half the tolerance (twice at the lower end).
 fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Option<Outcome> {
     let half = 0.5 * options.tolerance;
-    let (tolerance, order) = (if half < TOLERANCES.0 { 2.0 * options.tolerance } else { half }, options.order);
+    let (tolerance, order) = (if half < *TOLERANCES.start() { 2.0 * options.tolerance } else { half }, options.order);
     repeated(system, start, options, (tolerance, order))
 }
 
 /// Computes a finished motion once more, by a tenth of the tolerance where there is room below it and by an order that a run does not take by itself, and
 /// notes which digits hold. Costs about as much as the motion.
 pub fn confirm<S: System + ?Sized>(system: &mut S, start: &[f64], options: &mut Simulate<'_>, dataset: &mut Dataset) {
-    let tolerance = (0.1 * options.tolerance).max(TOLERANCES.0);
+    let tolerance = (0.1 * options.tolerance).max(*TOLERANCES.start());
     // orders of runs are two apart
     let order = order_for(tolerance) + 3;
     match repeated(system, start, options, (tolerance, Some(order))) {

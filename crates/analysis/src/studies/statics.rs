@@ -25,7 +25,8 @@ use crate::rest::numbers::Numbers;
 use crate::rest::rows::{NOTHING, independent, rows_of, with_shares};
 use crate::studies::telling::telling;
 use crate::{Fault, Quantity};
-use algebra::qr::{Qr, norm};
+use algebra::qr::Qr;
+use algebra::vectors::norm;
 use words::digits::rounded;
 
 /// A reaction below this share of the largest of its unit is rounding.

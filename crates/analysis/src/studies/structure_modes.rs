@@ -269,6 +269,7 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
 
 fn free(value: f64, all: &[f64]) -> bool {
     let largest = all.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    // a zero of the spectrum is rounding of its largest value
     value <= 1e-12 * largest || value == 0.0
 }
 
@@ -343,6 +344,7 @@ fn scale(shape: &[f64], freedoms: &[f64], normalise: Normalise) -> f64 {
         _ if everything == 0.0 => 1.0,
         _ if quiet => everything,
         Normalise::Largest => top,
+        // an entry of rounding normalises nothing
         Normalise::First => shape.iter().copied().find(|v| v.abs() > 1e-9 * top.abs()).unwrap_or(top),
     }
 }
@@ -403,6 +405,7 @@ fn dataset(modes: &[Mode], coordinates: &[Quantity], orthogonality: f64, n: usiz
         columns.push(column(quantity.clone(), &|m| m.shape[i]));
     }
     let name = Text::new("orthogonality of the shapes", "ортогональность форм");
+    // shapes of close frequencies lose half the digits
     let audits = vec![Audit::at_most("orthogonality", name, orthogonality, 1e-8)];
     let counters =
         vec![Counter {

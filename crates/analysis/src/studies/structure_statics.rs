@@ -213,11 +213,13 @@ impl Balance {
         let over = |rest: f64, size: f64| if size > 0.0 { rest / size } else { rest };
         let forces = over(left(0).max(left(1)), self.sizes[0].max(self.sizes[1]));
         [
+            // rounding of a frame is 1e-13 of its terms, a forgotten load the whole
             Audit::at_most("balance", Text::new("balance of loads and reactions", "равновесие нагрузок и реакций"), forces, 1e-9),
             Audit::at_most(
                 "balance_moments",
                 Text::new("balance of moments of loads and reactions", "равновесие моментов нагрузок и реакций"),
                 over(left(2), self.sizes[2]),
+                // as above
                 1e-9,
             ),
         ]
@@ -281,6 +283,7 @@ fn sections_agree(sections: &[Section], state: &Statics<f64>, assembly: &Assembl
     let largest = sections.iter().map(|s| s.value.abs()).fold(0.0, f64::max);
     let worst = sections.iter().map(|s| (s.value - state.normal(assembly, s.rod)).abs()).fold(0.0, f64::max);
     let name = Text::new("method of sections against the others", "метод сечений в сравнении с методом вырезания узлов");
+    // as above, two ways to one force
     (!sections.is_empty() && largest > 0.0).then(|| Audit::at_most("sections", name, worst / largest, 1e-9))
 }
 
@@ -289,6 +292,7 @@ fn products_agree(flexibility: &Flexibility<f64>) -> Audit {
     let pairs = flexibility.matrix.iter().zip(&flexibility.displacements);
     let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let name = Text::new("products of diagrams against displacements", "перемножение эпюр в сравнении с перемещениями");
+    // as above, two ways to one displacement
     Audit::at_most("flexibility", name, if largest > 0.0 { worst / largest } else { worst }, 1e-9)
 }
 

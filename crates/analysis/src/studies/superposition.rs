@@ -66,6 +66,7 @@ pub fn common(orders: &[f64]) -> Option<(f64, Vec<usize>)> {
     let least = orders.iter().copied().fold(f64::INFINITY, f64::min);
     for parts in 1..=64 {
         let base = least / f64::from(parts);
+        // orders are quotients of frequencies with twelve digits
         let whole = |o: &f64| (o / base - (o / base).round()).abs() <= 1e-10 * (o / base);
         if orders.iter().all(whole) {
             let list: Vec<f64> = orders.iter().map(|o| (o / base).round()).collect();
@@ -289,6 +290,7 @@ impl<'f, 'm> Run<'f, 'm> {
             if k > 1 {
                 turn.next();
             }
+            // a load of some units of the last place of the largest is none
             if load.iter().all(|z| elementary::hypot(z.0, z.1) <= 1e-15 * largest) {
                 continue;
             }
@@ -461,6 +463,7 @@ impl<'f, 'm> Run<'f, 'm> {
     fn add_direct(&self, s: &Seen, values: &mut [f64]) -> Result<(), Fault> {
         let nodes = self.panels.nodes();
         let whole =
+            // a multiple of the common frequency but for rounding
             |rate: f64| Some((rate / self.rate).round()).filter(|k| k.abs() >= 1.0 && (rate - k * self.rate).abs() <= 1e-9 * rate.abs());
         for (rate, c, s) in &s.waves {
             let Some(k) = whole(*rate) else { continue };
@@ -491,6 +494,7 @@ impl<'f, 'm> Run<'f, 'm> {
             let (x, v) = highest(&mut |x| sign * series(&c, x));
             // equal to rounding: the earlier instant
             let place = 0.5 * (a + b) + 0.5 * (b - a) * x;
+            // equal to rounding of a sum over the harmonics
             let same = (v - best.0).abs() <= 1e-13 * v.abs();
             if (!same && v > best.0) || (same && place < best.1) {
                 best = (v, place);
@@ -545,6 +549,7 @@ const MOST_PANELS: usize = 256;
 
 /// The larger of two values with their instants; of equal ones, up to rounding, the earlier.
 fn farther(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    // equal to rounding of a sum over the harmonics
     let equal = (a.0 - b.0).abs() <= 1e-13 * a.0.abs().max(b.0.abs());
     let first = if equal { a.1 <= b.1 } else { a.0 >= b.0 };
     if first { a } else { b }

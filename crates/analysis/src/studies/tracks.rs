@@ -133,6 +133,7 @@ fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
     let order = |a: usize, b: usize| {
         for here in slots.iter() {
             match (at(here, a), at(here, b)) {
+                // frequencies that are one at this value are told apart at another
                 (Some(x), Some(y)) if (x - y).abs() > 1e-9 * x.max(y) => return x.total_cmp(&y),
                 (Some(_), None) => return std::cmp::Ordering::Less,
                 (None, Some(_)) => return std::cmp::Ordering::Greater,
@@ -170,6 +171,7 @@ fn orders(machine: &mut LinearMachine, parameter: usize, at: f64, place: &Place)
         list.push(1.0);
     }
     list.sort_by(f64::total_cmp);
+    // nine digits: one order told twice
     list.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
     list.truncate(ORDERS);
     Ok(list)
@@ -372,6 +374,7 @@ impl Run<'_> {
             // a frequency that vanishes with the speed meets the line there without being excited
             places.retain(|v| v.abs() > STANDS * ends[0].abs().max(ends[1].abs()) && !self.leaps(*v, *order));
             places.sort_by(f64::total_cmp);
+            // one place between two steps, found from both
             places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
             for value in places {
                 out.push(Critical { mode: self.which(value, *order, (tracks, slots))?, value, order: *order });
@@ -383,7 +386,9 @@ impl Run<'_> {
     /// Whether a frequency leaps over the line where the place changes, and meets it nowhere.
     fn leaps(&mut self, speed: f64, order: f64) -> bool {
         let changes = self.branch.changes();
+        // the change is located as closely
         let there = |c: &Change| (c.value - speed).abs() <= 1e-9 * speed.abs();
+        // met means six digits: a leap misses by a share of itself
         let met = |count: Count| count.nearest <= 1e-6 * order * speed.abs();
         changes.iter().any(there) && !self.above(speed, order).ok().flatten().is_some_and(met)
     }
@@ -493,6 +498,7 @@ struct Cell {
 const DEEPEST: usize = 6;
 /// Share of its frequency by which a mode may leave the line ω = order·Ω along which it runs, and the share of a speed over which that counts.
 const ALONG: f64 = 1e-10;
+// see above
 const APART: f64 = 1e-6;
 /// Share of the largest speed that is none.
 const STANDS: f64 = 1e-12;
@@ -543,6 +549,7 @@ fn likeness(x: &[modes::Complex], y: &[modes::Complex], mass: &[f64]) -> f64 {
 fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset {
     let mut data = Dataset { axis: Some(0), ..Dataset::default() };
     data.columns.push(Column { quantity: parameter.clone(), values: tracks.values.clone() });
+    // without damping both are one number, computed in two ways
     let close = |(a, b): (&f64, &f64)| a.is_nan() || (a - b).abs() <= 1e-12 * a.abs();
     let damped = tracks.omega.iter().zip(&tracks.damped).any(|(a, b)| !a.iter().zip(b).all(close));
     let mut add = |name: &str, unit: &str, words: [&str; 2], list: &[Vec<f64>]| {

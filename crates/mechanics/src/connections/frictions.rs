@@ -344,6 +344,7 @@ fn limits<'a>(
         reader.fault(negative(key, limit));
         return false;
     }
+    // the same number written in two ways differs by its rounding
     if let Some(value) = slow.filter(|v| limit < *v * (1.0 - 1e-12)) {
         let [limit, value] = [limit, value].map(|x| quantity(x, &unit));
         reader.fault(

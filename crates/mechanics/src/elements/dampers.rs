@@ -1,7 +1,7 @@
 //! Viscous dampers: Φ = b δ'²/2; the force b δ' against the growing pathway δ.
 
 use super::common::{pathway_of, per, told, useful};
-use super::row::{Made, Row};
+use super::row::{Made, Row, Stands};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Site, Sketch, Stage, Straight};
@@ -10,8 +10,15 @@ use std::sync::Arc;
 use symbolic::{Expr, Rational};
 
 /// `[dampers]`.
-pub(super) const ROW: Row =
-    Row { keys: &KEYS, listed: ("dampers", "демпферы"), chapter: "elements", functions: &[], explanations: &[], read };
+pub(super) const ROW: Row = Row {
+    keys: &KEYS,
+    listed: ("dampers", "демпферы"),
+    chapter: "elements",
+    stands: Stands::Between,
+    functions: &[],
+    explanations: &[],
+    read,
+};
 
 /// `[dampers.NAME]`.
 const KEYS: TableSpec = TableSpec {

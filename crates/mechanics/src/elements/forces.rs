@@ -1,7 +1,7 @@
 //! Applied forces: virtual power F·v of a vector at a point, or of a force along a pathway.
 
 use super::common::{pathway_of, per};
-use super::row::{Made, Row};
+use super::row::{Made, Row, Stands};
 use crate::formula::{Context, Place};
 use crate::keys::{ALONG, BETWEEN, DISTANCE, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Pathway, PointRef, Push, Site, Sketch, Stage, Straight};
@@ -13,10 +13,15 @@ use symbolic::Expr;
 use words::Notice;
 
 /// `[forces]`.
-pub(super) const ROW: Row =
-    Row {
-        keys: &KEYS, listed: ("applied forces", "приложенные силы"), chapter: "elements", functions: &[], explanations: &[], read
-    };
+pub(super) const ROW: Row = Row {
+    keys: &KEYS,
+    listed: ("applied forces", "приложенные силы"),
+    chapter: "elements",
+    stands: Stands::Anywhere,
+    functions: &[],
+    explanations: &[],
+    read,
+};
 
 /// `[forces.NAME]`.
 const KEYS: TableSpec = TableSpec {

@@ -14,7 +14,7 @@ mod torsion_bars;
 pub(crate) use common::pathway_of;
 pub use forces::Force;
 pub use potentials::Potential;
-pub use row::Row;
+pub use row::{Row, Stands};
 
 use crate::formula::KinematicFunction;
 use crate::model::{Element, Law};
@@ -25,6 +25,11 @@ use words::Text;
 
 /// Every kind, in the order in which elements are read and act, and in which the reference lists them.
 pub const TABLE: &[Row] = &[springs::ROW, dampers::ROW, torsion_bars::ROW, forces::ROW, torques::ROW, potentials::ROW, dissipations::ROW];
+
+/// The table of loads in points and on pathways, which other rooms of the file make, too.
+pub const FORCES: &str = forces::ROW.keys.name;
+/// The table of energies of any form.
+pub const POTENTIALS: &str = potentials::ROW.keys.name;
 
 /// An element of the kind of that table.
 pub fn element(table: &'static str, name: String, law: impl Law + 'static, span: Range<usize>) -> Element {

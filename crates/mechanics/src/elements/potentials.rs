@@ -1,6 +1,6 @@
 //! Free-form potential energies: there is no geometry to find their forces in another way, but for what names points and bodies.
 
-use super::row::{Made, Row};
+use super::row::{Made, Row, Stands};
 use crate::formula::Context;
 use crate::keys::{LABEL, TableSpec, Type, must};
 use crate::model::{Found, Law, Site, Sketch, Stage, Straight};
@@ -13,6 +13,7 @@ pub(super) const ROW: Row = Row {
     keys: &KEYS,
     listed: ("free-form potential energies", "потенциальные энергии общего вида"),
     chapter: "elements",
+    stands: Stands::Anywhere,
     functions: &[],
     explanations: &[],
     read,

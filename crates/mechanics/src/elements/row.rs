@@ -16,12 +16,23 @@ pub struct Row {
     pub listed: Words,
     /// Its chapter of the verification book.
     pub chapter: &'static str,
+    /// What one stands for in space.
+    pub stands: Stands,
     /// Functions of formulas that only it has.
     pub functions: &'static [KinematicFunction],
     /// Codes of findings that only it has.
     pub explanations: &'static [Explanation],
     /// Reads a row of the table.
     pub(super) read: for<'a> fn(&mut Reader<'a>, &Fields<'a>) -> Option<Made>,
+}
+
+/// What an element stands for in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stands {
+    /// Something straight between two bodies: axes that lie apart are doubtful.
+    Between,
+    /// Nothing of that sort.
+    Anywhere,
 }
 
 /// What was read.

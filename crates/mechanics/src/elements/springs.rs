@@ -1,7 +1,7 @@
 //! Springs: Π = c (δ − rest)²/2 + preload (δ − rest); the force c (δ − rest) + preload pulls the pathway δ shorter.
 
 use super::common::{pathway_of, per, told, useful};
-use super::row::{Made, Row};
+use super::row::{Made, Row, Stands};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
@@ -11,8 +11,15 @@ use symbolic::{Edge, Expr, Graph, Rational};
 use words::Notice;
 
 /// `[springs]`.
-pub(super) const ROW: Row =
-    Row { keys: &KEYS, listed: ("springs", "пружины"), chapter: "elements", functions: &[], explanations: &[], read };
+pub(super) const ROW: Row = Row {
+    keys: &KEYS,
+    listed: ("springs", "пружины"),
+    chapter: "elements",
+    stands: Stands::Between,
+    functions: &[],
+    explanations: &[],
+    read,
+};
 
 /// `[springs.NAME]`.
 const KEYS: TableSpec = TableSpec {

@@ -1,6 +1,6 @@
 //! Applied torques: virtual power M·ω, less that of the opposite torque on the body that takes it.
 
-use super::row::{Made, Row};
+use super::row::{Made, Row, Stands};
 use crate::formula::Context;
 use crate::keys::{DISTANCE, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Site, Sketch, Stage, Straight};
@@ -13,10 +13,15 @@ use toml::de::DeValue;
 use words::Notice;
 
 /// `[torques]`.
-pub(super) const ROW: Row =
-    Row {
-        keys: &KEYS, listed: ("applied torques", "приложенные моменты"), chapter: "elements", functions: &[], explanations: &[], read
-    };
+pub(super) const ROW: Row = Row {
+    keys: &KEYS,
+    listed: ("applied torques", "приложенные моменты"),
+    chapter: "elements",
+    stands: Stands::Anywhere,
+    functions: &[],
+    explanations: &[],
+    read,
+};
 
 /// `[torques.NAME]`.
 const KEYS: TableSpec = TableSpec {

@@ -3,7 +3,7 @@
 //! Saint-Venant's torsion of a round bar: k = G J/L, J = π (D⁴ − d⁴)/32; the largest shear stress, on the surface, is M/W with W = 2 J/D. The bar has no inertia.
 
 use super::common::useful;
-use super::row::{Made, Row};
+use super::row::{Made, Row, Stands};
 use crate::formula::{Context, Depends, Kind, KinematicFunction, Takes, Told, Where};
 use crate::keys::{LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, FrameId, Law, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
@@ -23,6 +23,7 @@ pub(super) const ROW: Row = Row {
     keys: &KEYS,
     listed: ("torsion bars", "торсионы"),
     chapter: "torsion-bars",
+    stands: Stands::Between,
     functions: &[
         KinematicFunction {
             name: "twist",

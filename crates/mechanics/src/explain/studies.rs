@@ -52,8 +52,20 @@ pub const STUDIES: &[Explanation] = &[
         "M065",
         ("times, tolerance or method of a study", "времена, точность или метод расчёта"),
         (
-            "Durations are positive, times ascend up to the end of the motion, the tolerance lies between 1e-15 and 1e-3, and the method is auto, taylor or stiff.",
-            "Длительности положительны, моменты времени возрастают до конца движения, допустимая погрешность – от 1e-15 до 1e-3, метод — auto, taylor или stiff.",
+            concat!(
+                "Durations are positive, times ascend up to the end of the motion, the tolerance lies between ",
+                words::finest_tolerance!(),
+                " and ",
+                words::coarsest_tolerance!(),
+                ", and the method is auto, taylor or stiff."
+            ),
+            concat!(
+                "Длительности положительны, моменты времени возрастают до конца движения, допустимая погрешность – от ",
+                words::finest_tolerance!(),
+                " до ",
+                words::coarsest_tolerance!(),
+                ", метод — auto, taylor или stiff."
+            ),
         ),
         "until = \"-1 s\"",
         "until = \"1 s\"",

@@ -8,20 +8,19 @@
 //! Axes are compared in the frame that carries both, the ground or a moving one; bodies whose origins move have no axis to compare.
 
 use crate::connections::Space;
+use crate::elements::{Stands, TABLE};
 use crate::model::{Element, Frame, FrameId, Origin, Pathway, Reliance, Site};
 use crate::reader::Reader;
 use algebra::elementary;
-use algebra::qr::norm;
+use algebra::vectors::norm;
 use words::{Notice, Text};
 
-/// Tables whose elements stand for something straight between two bodies.
-const STRAIGHT: [&str; 3] = ["springs", "dampers", "torsion_bars"];
 /// Distance of axes below which they are one, relative to their places.
 const ONE: f64 = 1e-9;
 
 /// Warns of each element between axes that lie apart.
 pub(super) fn warn(reader: &mut Reader, elements: &[Element], (frames, space): (&[Frame], &Space)) {
-    for element in elements.iter().filter(|e| STRAIGHT.contains(&e.table)) {
+    for element in elements.iter().filter(|e| TABLE.get(e.rank).is_some_and(|row| row.stands == Stands::Between)) {
         let Site::On(Pathway::RelativeAngle(a, b)) = element.law.sketch().site else { continue };
         let lines = [a, b].map(|frame| line(reader, (frames, space), frame));
         let [Some(first), Some(second)] = lines else { continue };

@@ -303,6 +303,7 @@ fn corners<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str)
         crossed(reader, fields, kind, a, b);
         return None;
     }
+    // corners on one line leave the rounding of products of their coordinates
     if area.abs() <= 1e-12 * size * size {
         empty(reader, &fields.path, fields.span_of(kind));
         return None;
@@ -392,6 +393,7 @@ fn together(reader: &mut Reader, (name, label): (String, words::Text), fields: &
     }
     let area: f64 = parts.iter().map(|p| if p.removed { -p.area } else { p.area }).sum();
     let added: f64 = parts.iter().filter(|p| !p.removed).map(|p| p.area).sum();
+    // openings that take all leave the rounding of the areas they take
     if area.is_nan() || area <= 1e-9 * added {
         empty(reader, &fields.path, fields.span.clone());
         return None;
@@ -424,6 +426,7 @@ fn reach(parts: &[Part], coverage: &section::Coverage, direction: [f64; 2]) -> f
 
 /// Share of an area that a polygon in place of an arc may pretend.
 const CURVED: f64 = 2e-4;
+/// The same where all sides are straight: rounding of products of coordinates, far below what anybody covers by mistake.
 const STRAIGHT: f64 = 1e-9;
 
 /// A share in per cent, in both notations.

@@ -85,6 +85,7 @@ fn possible(reader: &mut Reader, tensor: &Fields, [xx, yy, zz]: [f64; 3], [xy, y
     let trace = (xx + yy + zz) / 2.0;
     let (a, b, c) = (trace - xx, trace - yy, trace - zz);
     let size = xx.abs().max(yy.abs()).max(zz.abs()).max(xy.abs()).max(yz.abs()).max(xz.abs());
+    // moments of inertia written with nine digits may miss the limit of a flat body by their last one
     let slack = 1e-9 * size;
     let minors = [a * b - xy * xy, b * c - yz * yz, a * c - xz * xz];
     let determinant = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz);

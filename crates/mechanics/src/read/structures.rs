@@ -402,6 +402,7 @@ fn site<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> 
     };
     let distance = fields.formula_or_zero(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH));
     let length = reader.values.of(&reader.builder.graph, reader.structure.rods[rod].length);
+    // the end of a rod is a place on it, its length being rounded
     if let Some(d) = reader.number(&distance).filter(|d| *d < 0.0 || *d > length * (1.0 + 1e-12)) {
         let fault = Notice::piece(
             "M204",
@@ -603,6 +604,7 @@ fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
     let fields = Fields::open(reader, &fields::structures::STRUCTURE, table, value.span(), "structure".to_owned());
     let condense = fields.has("condense").then(|| fields.flag(reader, "condense").unwrap_or(false));
     let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
+    // finer than the certificate of modes can show, coarser than a mode is worth
     let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));
     let modes = whole(reader, &fields, "modes").map(|n| n as usize);
     let [continuum, compare] = ["continuum", "compare"].map(|key| fields.flag(reader, key).unwrap_or(false));

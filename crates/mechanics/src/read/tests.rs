@@ -89,13 +89,13 @@ static EVERYTHING: Kind = Kind::new("everything", ("", ""))
         key("formulas", Takes::Formulas),
         key("frequency_variable", Takes::FrequencyVariable),
         key("values", Takes::Ranges),
-        key("of", Takes::KindOf(&["nothing"])),
+        key("of", Takes::Repeatable),
     ])
     .check(|asked| match (asked.number("turns"), asked.number("settle")) {
         (Some(turns), Some(settle)) if settle < turns => vec![Objection::at("settle", "M071", "too short", "мало")],
         _ => Vec::new(),
     });
-static NOTHING: Kind = Kind::new("nothing", ("", ""));
+static NOTHING: Kind = Kind::new("nothing", ("", "")).repeatable();
 static ABOUT: Choice = Choice {
     words: &["rest", "start"],
     metavar: "WHAT",

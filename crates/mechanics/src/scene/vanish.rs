@@ -157,6 +157,7 @@ fn span(values: &[f64]) -> usize {
             }
         }
         let rest = left.iter().map(|v| v * v).sum::<f64>().sqrt();
+        // what is left of a dependent vector of three numbers is rounding, 1e-15; directions of bodies differ by more than a nanoradian
         if length > 0.0 && rest > 1e-9 * length {
             basis.push(left.map(|l| l / rest));
         }

@@ -104,6 +104,7 @@ fn heights(sides: &[Side], parts: usize) -> Vec<f64> {
     }
     heights.sort_by(f64::total_cmp);
     let size = heights.last().unwrap_or(&0.0).abs().max(heights.first().unwrap_or(&0.0).abs());
+    // a crossing is a quotient of products of coordinates: some hundred units of the last place
     heights.dedup_by(|b, a| *b - *a <= 1e-13 * size);
     heights
 }

@@ -26,6 +26,7 @@
 
 use super::steps::{Row, Rows};
 use crate::curve::{Curve, Range};
+use algebra::bernstein::{halve_row, to_bernstein};
 use algebra::elementary;
 
 /// An operation to be watched: c = f(a, b).
@@ -371,29 +372,9 @@ fn share_beside(node: Watched) -> f64 {
     if node.curve.has_two() { 0.75 } else { 0.5 }
 }
 
-/// Powers to Bernstein coefficients on [0, 1]: the triangle of sums of c_k / C(n,k).
-fn to_bernstein(c: &mut [f64]) {
-    let n = c.len() - 1;
-    let mut binomial = 1.0;
-    for (k, c_k) in c.iter_mut().enumerate() {
-        *c_k /= binomial;
-        binomial *= (n - k) as f64 / (k + 1) as f64;
-    }
-    for level in 1..=n {
-        for j in (level..=n).rev() {
-            c[j] += c[j - 1];
-        }
-    }
-}
-
 fn halve(row: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let (mut left, mut right) = (Vec::with_capacity(row.len()), row.to_vec());
-    for level in 0..row.len() {
-        left.push(right[0]);
-        for j in 0..row.len() - 1 - level {
-            right[j] = 0.5 * (right[j] + right[j + 1]);
-        }
-    }
+    halve_row(&mut right, &mut left);
     (left, right)
 }
 

@@ -25,7 +25,7 @@
 use super::expressions::Lowering;
 use super::forms::Value;
 use super::numbers::{Journal, Numbers};
-use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Real, Register, Spare};
+use crate::{Bounded, By, Construct, Fault, GuardOrigin, Mode, Real, Register, Spare};
 use std::sync::Arc;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal};
 use symbolic::{Equations, Expr};
@@ -470,8 +470,8 @@ enum Sharing {
 }
 
 /// A guard that no formula moves: the integrator alone sets its mode.
-fn switch(lowering: &mut Lowering, kind: GuardKind, left: Expr, usual: f64) -> u32 {
-    let number = lowering.reserve(Guard { kind, left, right: None });
+fn switch(lowering: &mut Lowering, kind: Construct, left: Expr, usual: f64) -> u32 {
+    let number = lowering.reserve(GuardOrigin { kind, left, right: None });
     let usual = lowering.literal(usual);
     lowering.define_guard(number, usual);
     number
@@ -481,17 +481,17 @@ fn contact(lowering: &mut Lowering, reaction: usize, left: Expr, shared: Sharing
     let surface = lowering.register(left)?;
     let of = lowering.next_guard();
     let force = of + 1;
-    let gap = lowering.surface(Guard { kind: GuardKind::Gap { reaction, force }, left, right: None }, surface);
-    let force = lowering.reserve(Guard { kind: GuardKind::ContactForce { reaction, of }, left, right: None });
+    let gap = lowering.surface(GuardOrigin { kind: Construct::Gap { reaction, force }, left, right: None }, surface);
+    let force = lowering.reserve(GuardOrigin { kind: Construct::ContactForce { reaction, of }, left, right: None });
     lowering.bound(Bounded { guard: force, of: gap });
-    let share = (shared == Sharing::Possible).then(|| switch(lowering, GuardKind::Share { reaction, of }, left, 1.0));
+    let share = (shared == Sharing::Possible).then(|| switch(lowering, Construct::Share { reaction, of }, left, 1.0));
     Ok(Numbers::Gap { gap, force, share })
 }
 
 /// What follows a contact may be left to others like the contact itself.
 fn rough(lowering: &mut Lowering, (reaction, left): (usize, Expr), contact: Numbers, shared: Sharing) -> Numbers {
     let of = contact.switch();
-    let share = (shared == Sharing::Possible).then(|| switch(lowering, GuardKind::Share { reaction, of }, left, 1.0));
+    let share = (shared == Sharing::Possible).then(|| switch(lowering, Construct::Share { reaction, of }, left, 1.0));
     Numbers::Rough { gap: of as u32, share }
 }
 
@@ -507,23 +507,23 @@ fn sliding(
     }
     let surface = lowering.register(left)?;
     let of = lowering.next_guard();
-    let kind = GuardKind::Sliding { reaction, limits: [of + 1, of + 2] };
-    let sliding = lowering.surface(Guard { kind, left, right: None }, surface);
+    let kind = Construct::Sliding { reaction, limits: [of + 1, of + 2] };
+    let sliding = lowering.surface(GuardOrigin { kind, left, right: None }, surface);
     let limits = [Mode::Negative, Mode::Positive].map(|exit| {
-        let limit = lowering.reserve(Guard { kind: GuardKind::Limit { reaction, of, exit }, left, right: None });
+        let limit = lowering.reserve(GuardOrigin { kind: Construct::Limit { reaction, of, exit }, left, right: None });
         lowering.bound(Bounded { guard: limit, of: sliding });
         limit
     });
     let normal = normal_guard(lowering, reaction, friction);
     let shares = (shared == Sharing::Possible).then(|| {
-        let share = switch(lowering, GuardKind::Share { reaction, of }, left, 1.0);
-        [share, switch(lowering, GuardKind::Side { reaction, of }, left, 0.0)]
+        let share = switch(lowering, Construct::Share { reaction, of }, left, 1.0);
+        [share, switch(lowering, Construct::Side { reaction, of }, left, 0.0)]
     });
     Ok(Numbers::Sliding { leader: reaction, sliding, limits, normal, shares })
 }
 
 fn normal_guard(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Option<u32> {
-    let guard = Guard { kind: GuardKind::Normal { reaction }, left: friction.sliding, right: None };
+    let guard = GuardOrigin { kind: Construct::Normal { reaction }, left: friction.sliding, right: None };
     friction.normal.as_ref().map(|_| lowering.reserve(guard))
 }
 

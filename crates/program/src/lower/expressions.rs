@@ -4,7 +4,7 @@ use super::forms::Value;
 use super::numbers::Numbers;
 use crate::builder::Builder;
 use crate::verify::verified;
-use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Spare, Tape, Unary};
+use crate::{Bounded, By, Coefficient, Construct, Fault, GuardOrigin, Operation, Register, Root, Shape, Spare, Tape, Unary};
 use rustc_hash::FxHashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -58,7 +58,7 @@ pub(super) enum Switches<'t> {
 /// The guards met so far.
 #[derive(Default)]
 pub(super) struct GuardTable {
-    pub(super) guards: Vec<Guard>,
+    pub(super) guards: Vec<GuardOrigin>,
     /// Numbers of the guards of contacts and frictions, by reaction.
     pub(super) numbers: Vec<Option<Numbers>>,
     /// Guard and sign by the function divided by the absolute factor of its first term, taken positive.
@@ -198,14 +198,14 @@ impl<'g, 't> Lowering<'g, 't> {
     }
 
     /// A guard whose function is computed later.
-    pub(super) fn reserve(&mut self, guard: Guard) -> u32 {
+    pub(super) fn reserve(&mut self, guard: GuardOrigin) -> u32 {
         self.table.guards.push(guard);
         self.guard_registers.push(None);
         self.table.guards.len() as u32 - 1
     }
 
     /// A guard of its own at that register. Formulas that switch on the same function share it.
-    pub(super) fn surface(&mut self, guard: Guard, register: Register) -> u32 {
+    pub(super) fn surface(&mut self, guard: GuardOrigin, register: Register) -> u32 {
         let (key, positive) = guard_key(self.graph, &guard);
         let number = self.reserve(guard);
         self.guard_registers[number as usize] = Some(register);
@@ -313,7 +313,7 @@ impl<'g, 't> Lowering<'g, 't> {
             Node::Switch { guard, edge, then, otherwise } => {
                 let (then, otherwise) = (self.known(*then), self.known(*otherwise));
                 let middle = if *edge == Edge::Open { otherwise } else { then };
-                self.switch(GuardKind::If, (*guard, None), [otherwise, middle, then])
+                self.switch(Construct::If, (*guard, None), [otherwise, middle, then])
             }
         }
     }
@@ -336,15 +336,15 @@ impl<'g, 't> Lowering<'g, 't> {
         match function {
             Function::Sign => {
                 let sides = [literal(-1.0), literal(0.0), literal(1.0)];
-                self.switch(GuardKind::Sign, (arguments[0], None), sides)
+                self.switch(Construct::Sign, (arguments[0], None), sides)
             }
             Function::Abs => {
                 let zero = literal(0.0);
                 let minus = self.builder.sum(0.0, &[(-1.0, values[0])]);
-                self.switch(GuardKind::Abs, (arguments[0], None), [minus, zero, values[0]])
+                self.switch(Construct::Abs, (arguments[0], None), [minus, zero, values[0]])
             }
-            Function::Min => self.switch(GuardKind::Min, (arguments[0], Some(arguments[1])), [values[0], values[0], values[1]]),
-            Function::Max => self.switch(GuardKind::Max, (arguments[0], Some(arguments[1])), [values[1], values[0], values[0]]),
+            Function::Min => self.switch(Construct::Min, (arguments[0], Some(arguments[1])), [values[0], values[0], values[1]]),
+            Function::Max => self.switch(Construct::Max, (arguments[0], Some(arguments[1])), [values[1], values[0], values[0]]),
             Function::Atan2 if !self.is_right(arguments[1]) => self.angle((arguments[0], arguments[1]), &values),
             smooth => self.builder.function(smooth, &values),
         }
@@ -362,12 +362,12 @@ impl<'g, 't> Lowering<'g, 't> {
         let behind: Vec<Value> = values.iter().map(|v| self.builder.sum(0.0, &[(-1.0, *v)])).collect();
         let behind = self.builder.function(Function::Atan2, &behind);
         let [upper, lower] = [PI, -PI].map(|half| self.builder.sum(half, &[(1.0, behind)]));
-        let left = self.switch(GuardKind::Sign, (y, None), [lower, angle, upper]);
-        self.switch(GuardKind::Sign, (x, None), [left, angle, angle])
+        let left = self.switch(Construct::Sign, (y, None), [lower, angle, upper]);
+        self.switch(Construct::Sign, (x, None), [left, angle, angle])
     }
 
     /// sides[sign(left - right)].
-    fn switch(&mut self, kind: GuardKind, (left, right): (Expr, Option<Expr>), sides: [Value; 3]) -> Value {
+    fn switch(&mut self, kind: Construct, (left, right): (Expr, Option<Expr>), sides: [Value; 3]) -> Value {
         let mut items = vec![(1.0, self.known(left))];
         items.extend(right.map(|r| (-1.0, self.known(r))));
         let difference = self.builder.sum(0.0, &items);
@@ -375,7 +375,7 @@ impl<'g, 't> Lowering<'g, 't> {
         if self.builder.is_constant(guard) {
             return self.builder.branch(By::Value(guard), sides);
         }
-        let Some((index, same)) = self.guard_index(Guard { kind, left, right }, guard) else {
+        let Some((index, same)) = self.guard_index(GuardOrigin { kind, left, right }, guard) else {
             return self.builder.branch(By::Value(guard), sides);
         };
         let sides = if same { sides } else { [sides[2], sides[1], sides[0]] };
@@ -383,7 +383,7 @@ impl<'g, 't> Lowering<'g, 't> {
     }
 
     /// The number of a guard and whether the function has the sign of the numbered one.
-    fn guard_index(&mut self, guard: Guard, register: Register) -> Option<(u32, bool)> {
+    fn guard_index(&mut self, guard: GuardOrigin, register: Register) -> Option<(u32, bool)> {
         if matches!(self.switches, Switches::Value) {
             return None;
         }
@@ -426,7 +426,7 @@ fn atom(graph: &Graph, e: Expr, factor: &Rational) -> (Atom, Rational) {
 }
 
 /// left - right divided by the absolute factor of its first term and made positive there; the flag tells whether it was positive.
-fn guard_key(graph: &Graph, guard: &Guard) -> (GuardKey, bool) {
+fn guard_key(graph: &Graph, guard: &GuardOrigin) -> (GuardKey, bool) {
     let mut constant = Rational::ZERO;
     let mut terms: Vec<(Atom, Rational)> = Vec::new();
     for (e, sign) in [(Some(guard.left), Rational::ONE), (guard.right, Rational::MINUS_ONE)] {

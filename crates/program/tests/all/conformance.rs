@@ -3,7 +3,7 @@
 use crate::common;
 use common::mechanisms::{connection, friction};
 use common::*;
-use program::{Bound, GuardKind, Mode, Point, lower};
+use program::{Bound, Construct, Mode, Point, lower};
 use proptest::prelude::*;
 use std::sync::Arc;
 use symbolic::connections::Normal;
@@ -124,7 +124,7 @@ fn connected(steps: &[(u8, usize, usize)]) -> (Bound, usize) {
         output(&mut e, name, residual);
     }
     let program = Arc::new(lower::equations(&e).unwrap());
-    let sliding = program.guards.iter().position(|g| matches!(g.kind, GuardKind::Sliding { .. })).unwrap();
+    let sliding = program.guards.iter().position(|g| matches!(g.kind, Construct::Sliding { .. })).unwrap();
     (Bound::new(&program, &[0.7]).unwrap(), sliding)
 }
 

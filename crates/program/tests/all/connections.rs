@@ -4,7 +4,7 @@ use crate::common;
 use common::mechanisms::*;
 use common::*;
 use program::lower::{Selection, equations_with};
-use program::{Bound, Evaluator, GuardKind, Mode, Operation, Point, Program, lower, text};
+use program::{Bound, Construct, Evaluator, Mode, Operation, Point, Program, lower, text};
 use std::sync::Arc;
 use symbolic::connections::{Law, Normal};
 use symbolic::{Equations, Function, Graph};
@@ -26,7 +26,7 @@ fn bind(e: &Equations) -> Bound {
     Bound::new(&program, &values).unwrap()
 }
 
-fn number(program: &Program, wanted: impl Fn(GuardKind) -> bool) -> usize {
+fn number(program: &Program, wanted: impl Fn(Construct) -> bool) -> usize {
     program.guards.iter().position(|g| wanted(g.kind)).unwrap()
 }
 
@@ -161,8 +161,8 @@ fn block_below_the_limit_of_friction_does_not_move_at_any_order() {
     let mut bound = bind(&block()).specialised().unwrap();
     let program = bound.program().clone();
     let weight = 1.7 * 9.81 * f64::sin(0.3);
-    let sliding = number(&program, |k| matches!(k, GuardKind::Sliding { .. }));
-    let GuardKind::Sliding { reaction: 0, limits } = program.guards[sliding].kind else { panic!() };
+    let sliding = number(&program, |k| matches!(k, Construct::Sliding { .. }));
+    let Construct::Sliding { reaction: 0, limits } = program.guards[sliding].kind else { panic!() };
     let mut modes = bound.modes(0.0, &[0.2, 0.0]).unwrap();
     assert_eq!(modes[sliding], Mode::Zero);
     let mut jets = bound.jets(12);
@@ -180,7 +180,7 @@ fn block_below_the_limit_of_friction_does_not_move_at_any_order() {
         close(rates, &[s, (weight - s * 4.0) / 1.7, s * 4.0], ROUNDING);
     }
     let exits = limits.map(|l| match program.guards[l].kind {
-        GuardKind::Limit { exit, of, .. } if of == sliding => exit,
+        Construct::Limit { exit, of, .. } if of == sliding => exit,
         other => panic!("{other:?}"),
     });
     assert_eq!(exits, [Mode::Negative, Mode::Positive]);
@@ -253,8 +253,8 @@ fn friction_follows_the_computed_normal_force_of_either_sign() {
         let e = pressed(pull);
         let mut bound = bind(&e);
         let program = bound.program().clone();
-        let sliding = number(&program, |k| matches!(k, GuardKind::Sliding { .. }));
-        let sign = number(&program, |k| matches!(k, GuardKind::Normal { .. }));
+        let sliding = number(&program, |k| matches!(k, Construct::Sliding { .. }));
+        let sign = number(&program, |k| matches!(k, Construct::Normal { .. }));
         for v in [1.0, -1.0, 0.0_f64] {
             let x = [0.0, 0.0, v, 0.0];
             let modes = bound.modes(0.0, &x).unwrap();
@@ -263,7 +263,7 @@ fn friction_follows_the_computed_normal_force_of_either_sign() {
             let s = if v == 0.0 { 0.0 } else { v.signum() };
             let force = if v == 0.0 { 5.0 } else { s * 0.3 * normal.abs() };
             close(bound.rates(0.0, &x, &modes).unwrap(), &[v, 0.0, (5.0 - force) / 2.0, 0.0, normal, force], ROUNDING);
-            let GuardKind::Sliding { limits, .. } = program.guards[sliding].kind else { panic!() };
+            let Construct::Sliding { limits, .. } = program.guards[sliding].kind else { panic!() };
             let mut jets = bound.jets(4);
             jets.expand(0.0, &x, &modes, 4).unwrap();
             assert_eq!(jets.guard(sign)[0], normal);
@@ -352,8 +352,8 @@ fn a_ball_falls_while_the_gap_is_open_and_rests_while_it_is_closed() {
     contact(&mut e, "floor", y);
     let mut bound = bind(&e);
     let program = bound.program().clone();
-    let gap = number(&program, |k| matches!(k, GuardKind::Gap { .. }));
-    let GuardKind::Gap { force, reaction: 0 } = program.guards[gap].kind else { panic!() };
+    let gap = number(&program, |k| matches!(k, Construct::Gap { .. }));
+    let Construct::Gap { force, reaction: 0 } = program.guards[gap].kind else { panic!() };
     let open = bound.modes(0.0, &[1.0, 0.0]).unwrap();
     assert!(open[gap] == Mode::Positive && !bound.active(&open)[force]);
     assert_eq!(bound.rates(0.0, &[1.0, 0.5], &open).unwrap(), [0.5, -9.81, 0.0]);
@@ -390,7 +390,7 @@ fn frictions_of_one_speed_stick_and_slide_together() {
                 bound = bound.specialised().unwrap();
             }
             assert_eq!(bound.program().switches, [Some(0), Some(0)]);
-            let GuardKind::Sliding { reaction: 0, limits } = bound.program().guards[0].kind else { panic!() };
+            let Construct::Sliding { reaction: 0, limits } = bound.program().guards[0].kind else { panic!() };
             let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
             assert_eq!(modes[0], Mode::Zero);
             let sum = fixed[0] + fixed[1];
@@ -427,7 +427,7 @@ fn brakes_of_different_radii_stick_and_slide_together() {
             bound = bound.specialised().unwrap();
         }
         assert_eq!(bound.program().switches, [Some(0); 3]);
-        let GuardKind::Sliding { limits, .. } = bound.program().guards[0].kind else { panic!() };
+        let Construct::Sliding { limits, .. } = bound.program().guards[0].kind else { panic!() };
         let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
         // capacity 1 + 0.4·3 + 0.1·5 = 2.7; each takes 2.2/2.7 of its limit, the hub's in its own direction
         let part = 2.2 / 2.7;
@@ -454,7 +454,7 @@ fn modes_are_known_where_the_reactions_are_not() {
     }
     let mut bound = bind(&e);
     let modes = bound.modes(0.0, &[1.0, 2.0, 0.0, 0.0]).unwrap();
-    let sliding = |i: &usize| matches!(bound.program().guards[*i].kind, GuardKind::Sliding { .. });
+    let sliding = |i: &usize| matches!(bound.program().guards[*i].kind, Construct::Sliding { .. });
     let stuck: Vec<Mode> = (0..modes.len()).filter(sliding).map(|i| modes[i]).collect();
     assert_eq!(stuck, [Mode::Zero, Mode::Zero]);
     assert_eq!(bound.rates(0.0, &[1.0, 2.0, 0.0, 0.0], &modes).unwrap_err().code, "P013");

@@ -24,6 +24,7 @@ fn turns(y: &[f64]) -> usize {
     let mut rising = None;
     let mut turns = 0;
     for pair in y.windows(2) {
+        // nine digits are more than a curve shows
         if (pair[1] - pair[0]).abs() <= 1e-9 * pair[0].abs() {
             continue;
         }

@@ -23,6 +23,7 @@ use crate::wording::Word;
 use analysis::Dataset;
 use analysis::dataset::Column;
 use words::Language;
+use words::capital;
 
 /// A figure.
 #[derive(Clone, Debug)]
@@ -231,10 +232,4 @@ fn against(symbols: &[String], x: &str, language: Language) -> Rich {
     pieces.push(Inline::Words(format!(" {} ", language.word(Word::Against))));
     pieces.push(Inline::Symbol(x.into()));
     Rich(pieces)
-}
-
-/// The text with a capital first letter.
-fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }

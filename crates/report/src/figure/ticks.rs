@@ -22,13 +22,16 @@ pub fn linear(low: f64, high: f64, wanted: usize, language: Language) -> Vec<Tic
     let power = raw.log10().floor();
     let base = 10_f64.powf(power);
     let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * base).find(|s| *s >= raw * 0.999).unwrap_or(10.0 * base);
+    // ends that are ticks themselves, but for the rounding of the quotient
     let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
     if !(step > 0.0 && last - first < 1000.0 && first.abs() < 1e12) {
         return Vec::new();
     }
     let values: Vec<f64> = (0..=(last - first) as usize).map(|i| (first + i as f64) * step).collect();
     let largest = low.abs().max(high.abs());
+    // the logarithm of a power of ten is rounded
     let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    // numbers with more than three zeros in front or six digits are read as powers
     let far = !(1e-3..1e6).contains(&largest);
     // enough decimals of the mantissa that neighbours differ
     let mantissa = (largest.log10().floor() - (step.log10() + 1e-9).floor()).clamp(0.0, 15.0) as usize;
@@ -52,6 +55,7 @@ pub fn logarithmic(low: f64, high: f64, wanted: usize, language: Language) -> Ve
     for power in first..=last {
         for m in [1.0, 2.0, 5.0] {
             let at = m * 10_f64.powi(power);
+            // ends that are ticks themselves, but for rounding
             if at < low * (1.0 - 1e-9) || at > high * (1.0 + 1e-9) || (m != 1.0 && stride > 1) {
                 continue;
             }

@@ -5,6 +5,7 @@
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Placement, Row, Shape, Sign};
 use super::pieces::{Joint, Lines, Piece};
+use crate::escape::xml;
 
 /// Space around a named function, as TeX sets it.
 const THIN: &str = "<mspace width=\"0.167em\"/>";
@@ -75,7 +76,7 @@ fn joint(piece: &Piece, out: &mut String) {
 
 fn infix(c: char, out: &mut String) {
     out.push_str("<mo form=\"infix\">");
-    push_escaped(&c.to_string(), out);
+    out.push_str(&xml(&c.to_string()));
     out.push_str("</mo>");
 }
 
@@ -159,7 +160,7 @@ fn words(words: &str, out: &mut String) {
         " " => out.push_str(THIN),
         "∂" | "d" | "…" => out.push_str(&format!("<mi mathvariant=\"normal\">{words}</mi>")),
         // white space at the ends of a text element is dropped by browsers
-        other => element(out, "<mtext>", "mtext", |out| push_escaped(&other.replace(' ', "\u{a0}"), out)),
+        other => element(out, "<mtext>", "mtext", |out| out.push_str(&xml(&other.replace(' ', "\u{a0}")))),
     }
 }
 
@@ -298,7 +299,7 @@ fn dotted(identifier: &Identifier, out: &mut String) {
 fn letter(text: &str, shape: Shape, out: &mut String) {
     let single = text.chars().count() == 1;
     let open = if single && shape == Shape::Upright { "<mi mathvariant=\"normal\">" } else { "<mi>" };
-    element(out, open, "mi", |out| push_escaped(text, out));
+    element(out, open, "mi", |out| out.push_str(&xml(text)));
 }
 
 fn index(text: &str, shape: Shape, out: &mut String) {
@@ -308,17 +309,5 @@ fn index(text: &str, shape: Shape, out: &mut String) {
         out.push_str(&format!("<mn>{text}</mn>"));
     } else {
         letter(text, shape, out);
-    }
-}
-
-fn push_escaped(text: &str, out: &mut String) {
-    for c in text.chars() {
-        match c {
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '&' => out.push_str("&amp;"),
-            '"' => out.push_str("&quot;"),
-            _ => out.push(c),
-        }
     }
 }

@@ -52,6 +52,7 @@ pub(super) fn placed<'a>(labels: &'a [Label], strokes: &[P], language: Language)
                 continue;
             }
             let total = cost + crowd(low, high, strokes) + done.iter().map(|set| overlap((low, high), (set.low, set.high))).sum::<f64>();
+            // equal costs differ by rounding: the first place of them is taken on every machine
             if best.as_ref().is_none_or(|(b, _)| total < *b - 1e-9) {
                 best = Some((total, Set { label, low, high, baseline: [low[0], low[1] + up] }));
             }

@@ -8,7 +8,7 @@ use std::sync::atomic::Ordering;
 use strutt::folder;
 use strutt::wording::Word;
 use studies::pipeline::{self, Calculation, Machine};
-use studies::{Extent, Failure, Results, Source};
+use studies::{Extent, Failure, Finds, Results, Source};
 
 /// How a command ended that did not fail outright.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub(crate) fn page(calculation: &Calculation, console: &Console) -> Result<(), F
 
 /// Whether the file has a study that computes numbers.
 pub(crate) fn has_numbers(machine: &Machine) -> bool {
-    machine.model.studies.iter().any(|s| s.kind != "equations")
+    machine.model.studies.iter().any(|s| machine.origin.studies.finds(s.kind) != Finds::Formulas)
 }
 
 /// Says what ended a study early and which checks failed; decides the exit code.

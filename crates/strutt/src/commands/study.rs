@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 use strutt::folder;
 use strutt::wording::Word;
 use studies::pipeline::{self, Calculation, Machine};
-use studies::{Alone, Extra, Given, Interrupts, Study};
-use studies::{Extent, Failure, Results, Source, document};
+use studies::{Alone, Extra, Finds, Given, Interrupts, Study};
+use studies::{Extent, Failure, Next, Results, Source, document};
 use words::{Notice, Place};
 
 /// Runs the command of a study.
@@ -205,11 +205,11 @@ fn places(results: &Results, view: &View, console: &Console) -> Result<(), Failu
 }
 
 /// What was found, below the title of the machine.
-fn solution(machine: &Machine, results: &Results, (view, next): (&View, &str), console: &Console) -> Result<(), Failure> {
+fn solution(machine: &Machine, results: &Results, (view, next): (&View, Next), console: &Console) -> Result<(), Failure> {
     let language = console.language;
     let blocks = results.below(&in_terminal(machine, console));
     // after a trouble only modes tell what they have
-    let silent = results.trouble.is_some() && view.name != "modes";
+    let silent = results.trouble.is_some() && machine.origin.studies.finds(view.name) != Finds::Shapes;
     if !blocks.is_empty() && !silent {
         let document = Document {
             language,
@@ -222,9 +222,9 @@ fn solution(machine: &Machine, results: &Results, (view, next): (&View, &str), c
         console.out(report::terminal::write(&document, console.width()))?;
     }
     match next {
-        "response" if results.trouble.is_some() => {}
-        "response" => console.next(&format!("strutt response {} --csv", quoted(view.file))),
-        next => console.next(&format!("strutt {next} {}", quoted(view.file))),
+        Next::Numbers if results.trouble.is_some() => {}
+        Next::Numbers => console.next(&format!("strutt {} {} --csv", view.name, quoted(view.file))),
+        Next::Run => console.next(&format!("strutt run {}", quoted(view.file))),
     }
     Ok(())
 }

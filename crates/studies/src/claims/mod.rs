@@ -21,11 +21,23 @@ use crate::machine::Machine;
 use crate::provenance;
 use crate::results::Body;
 use crate::watch::Watch;
-use crate::{Results, Rows};
+use crate::{Conclusion, Results, Rows};
 use analysis::{Dataset, Fault, Quantity, dataset::Column};
 use mechanics::model::ClaimKind;
 use std::sync::Arc;
 use words::Text;
+
+/// What results of claims call themselves: they are no study of the table, since a file does not ask for them by `[[study]]`.
+pub const KIND: &str = "claims";
+/// The chapter of the written calculation that tells them.
+pub const CHAPTER: &str = "verification";
+
+/// What they allow to say at the end of a calculation.
+pub fn concludes(results: &Results) -> Vec<Conclusion> {
+    let verdicts = results.own.get(KIND).and_then(serde_json::Value::as_array).map(Vec::as_slice).unwrap_or_default();
+    let refuted = verdicts.iter().filter(|v| v.get("ok").and_then(serde_json::Value::as_bool) != Some(true)).count();
+    vec![Conclusion::Published { all: verdicts.len(), refuted }]
+}
 
 /// Lays every claim of the file against the machine; none when the file has none.
 pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Results> {
@@ -33,10 +45,9 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Results> {
         return None;
     }
     let claims = machine.model.claims.clone();
-    let mut results =
-        Results {
-            kind: "claims", heading: Text::new("Published results", "Опубликованные результаты"), ..Results::default()
-        };
+    let mut results = Results {
+        kind: KIND, heading: Text::new("Published results", "Опубликованные результаты"), ..Results::default()
+    };
     let mut verdicts: Vec<Verdict> = claims.iter().map(unjudged).collect();
     match laid::lay(machine) {
         Ok(mut laid) => {
@@ -74,7 +85,7 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Results> {
     let data = Dataset { columns: columns(&verdicts), ..Dataset::default() };
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     results.rows = Rows::Hidden;
-    results.own.insert("claims".into(), to_json(&verdicts));
+    results.own.insert(KIND.into(), to_json(&verdicts));
     results.words = verdicts.iter().filter(|v| !v.words.en.is_empty()).map(remark).collect();
     results.body = Body::Own(Arc::new(Verdicts(verdicts)));
     Some(results)

@@ -63,7 +63,7 @@ pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, wa
 
 /// Natural circular frequencies without damping, the smallest first; rigid motions are zero.
 fn frequencies(machine: &mut Machine, watch: &mut Watch) -> Result<Vec<f64>, Text> {
-    let found = crate::modes::natural(machine, &Modes::of(&Asked::new("modes")), watch);
+    let found = crate::modes::natural(machine, &Modes::of(&Asked::new(crate::modes::KIND.name)), watch);
     if let Some(trouble) = &found.trouble {
         return Err(trouble.what.clone());
     }

@@ -82,9 +82,11 @@ fn words(machine: &mut Machine, terms: &Terms, found: &Fit, tolerance: f64) -> T
 /// `published 20.6 cos φ, here 18.2466 cos φ: 0.885757 of it`.
 pub(super) fn of_term(machine: &mut Machine, term: Expr, factor: f64) -> Text {
     let [en, ru] = printed(machine, term);
+    // fitted at random states: nine digits are left of sixteen
     if factor.abs() < 1e-9 {
         return Text::new(format!("the term {en} does not exist here"), format!("слагаемого {ru} здесь нет"));
     }
+    // as above
     if (factor + 1.0).abs() < 1e-9 {
         return Text::new(format!("the term {en} has the opposite sign here"), format!("слагаемое {ru} здесь имеет обратный знак"));
     }

@@ -37,6 +37,7 @@ pub fn judge(
             verdict.deviation = if verdict.value == 0.0 { difference } else { difference / verdict.value.abs() };
             // half a digit is half a digit: rounding of the product may not decide
             let (off, of) = if claim.stated { (verdict.deviation, 1.0) } else { (difference, published.abs()) };
+            // half a digit is half a digit: rounding of the product may not decide
             verdict.ok = off <= claim.tolerance * of * (1.0 + 1e-12);
         }
     }
@@ -72,7 +73,7 @@ fn rest(machine: &Machine, laid: &mut Laid, (resting, claims): (&[usize], &[Clai
     if resting.is_empty() {
         return;
     }
-    let asked = of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
+    let asked = of_file(machine, &[crate::equilibrium::KIND.name]).cloned().unwrap_or_default();
     let finding = crate::equilibrium::places(&mut laid.machine, asked.guess(), Between::of(&asked), watch);
     if let Some(trouble) = &finding.trouble {
         return say(resting.iter().copied(), verdicts, &trouble.what);
@@ -114,7 +115,7 @@ fn observed(laid: &mut Laid, data: &Dataset) -> Vec<Vec<f64>> {
 
 /// A natural frequency, as the study `modes` finds it.
 pub fn frequency(machine: &mut Machine, (mode, published): (usize, f64), verdict: &mut Verdict, watch: &mut Watch) {
-    let asked = of_file(machine, &["modes"]).cloned().unwrap_or_default();
+    let asked = of_file(machine, &[crate::modes::KIND.name]).cloned().unwrap_or_default();
     let finding = crate::modes::natural(machine, &Modes::of(&asked), watch);
     verdict.published = published;
     if let Some(trouble) = &finding.trouble {

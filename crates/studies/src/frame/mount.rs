@@ -6,7 +6,7 @@ use super::bind::{Bound, bind};
 use super::groups::{groups, on_groups};
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
-use mechanics::elements::{Force, Potential, element};
+use mechanics::elements::{FORCES, Force, POTENTIALS, Potential, element};
 use mechanics::model::{self, Class, ConstantInertia, CoordinateDecl, Element, OutputDecl, ParameterDecl, ParameterValue, Pathway};
 use mechanics::structure as file;
 use structures::equilibrium::{EXACT, stands_undivided};
@@ -16,6 +16,9 @@ use structures::substructure::{Substructure, Wish, substructure};
 use structures::{Action, Assembly, Frame, Load, dense};
 use symbolic::{Expr, Rational};
 use words::{Notice, Text};
+
+/// Share of the largest number beside it that is rounding: solutions of the frame carry thirteen digits and more.
+const ROUNDING: f64 = 1e-13;
 
 /// Entries of M and K as (i, j, number, exact).
 type Entry = (usize, usize, f64, Option<Rational>);
@@ -152,7 +155,7 @@ fn entries(bound: &Bound, structure: &file::Structure, found: &Substructure) -> 
         let entry = |(i, j): (usize, usize)| (i, j, values[i * n + j], exact.map(|e| e[i * n + j].clone()));
         let matters = |e: &Entry| match &e.3 {
             Some(exact) => !exact.is_zero(),
-            None => group[e.0] == group[e.1] && e.2.abs() > 1e-13 * (largest[e.0] * largest[e.1]).sqrt(),
+            None => group[e.0] == group[e.1] && e.2.abs() > ROUNDING * (largest[e.0] * largest[e.1]).sqrt(),
         };
         pairs.map(entry).filter(matters).collect()
     };
@@ -191,7 +194,7 @@ fn follower(model: &mut Model, (bound, found): (&Bound, &Substructure), first: u
     let shares = dense::product(&row, &found.basis, 1, found.n_q, n);
     let largest = shares.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut terms = Vec::new();
-    for (k, share) in shares.iter().enumerate().filter(|s| s.1.abs() > 1e-13 * largest) {
+    for (k, share) in shares.iter().enumerate().filter(|s| s.1.abs() > ROUNDING * largest) {
         let q = model.graph.symbol(model.coordinates[first + k].symbols[0]);
         if let Some(share) = simple(*share, largest) {
             terms.push(model.graph.scale(q, &share));
@@ -272,7 +275,7 @@ fn potential(model: &mut Model, stiffness: &[Entry], first: usize) {
         terms.push(model.graph.scale(product, &factor));
     }
     let energy = model.graph.sum(&terms);
-    model.elements.push(element("potentials", "frame".into(), Potential { energy }, 0..0));
+    model.elements.push(element(POTENTIALS, "frame".into(), Potential { energy }, 0..0));
 }
 
 /// Generalised forces of the loads on the coordinates.
@@ -296,7 +299,7 @@ fn loads(model: &mut Model, structure: &file::Structure, bound: &Bound, found: &
             let value = model.graph.sum(terms);
             let along = model.graph.symbol(model.coordinates[first + i].symbols[0]);
             let force = Force::OnPathway { pathway: Pathway::Along(along, model::Measure::Other), value };
-            let part = element("forces", load.name.clone(), force, 0..0);
+            let part = element(FORCES, load.name.clone(), force, 0..0);
             model.elements.push(Element { path: load.path.clone(), ..part });
         }
     }
@@ -328,7 +331,7 @@ fn shares(frame: &Frame<f64>, assembly: &Assembly<f64>, found: &Substructure, un
     let mut q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
     on_groups(&mut q, &groups([&found.mass, &found.stiffness], n), &found.stiffness);
     let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    q.iter().map(|v| if v.abs() <= 1e-13 * largest { None } else { simple(*v, largest) }).collect()
+    q.iter().map(|v| if v.abs() <= ROUNDING * largest { None } else { simple(*v, largest) }).collect()
 }
 
 /// The coordinate along which the whole force acts, with its share: the work of such a force is exactly share·displacement, and the other
@@ -347,6 +350,7 @@ fn along_named(rows: &[Vec<f64>], found: &Substructure, forces: &[f64]) -> Optio
 
 /// A short decimal when the number is one within rounding; else the number itself.
 fn simple(v: f64, largest: f64) -> Option<Rational> {
+    // two units of the last place of what it was computed beside
     let short = format!("{v:.12}").parse::<f64>().ok().filter(|s| (s - v).abs() <= 4e-16 * v.abs().max(largest));
     let text = short.map(|s| format!("{s}"));
     text.and_then(|t| Rational::parse_decimal(&t)).or_else(|| Rational::from_f64(v))

@@ -2,11 +2,11 @@
 
 use super::built::Machine;
 use crate::failure::{Failure, Misuse};
-use crate::results::Results;
+use crate::results::{Conclusion, Results};
 use crate::watch::Watch;
-use mechanics::asked::{Asked, Key, Kind, Kinds};
+use mechanics::asked::{Asked, Key, Kind, Kinds, Words};
 use words::explain::Explanation;
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
 
 /// What a study found; none where it computes no numbers.
 pub type Found = Option<Results>;
@@ -18,6 +18,24 @@ pub trait Study: Sync {
 
     /// Carries it out as a file asks for it.
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found;
+
+    /// What a calculation asks for, in a sentence: "find the positions of equilibrium".
+    fn wanted(&self) -> Words;
+
+    /// The chapter of the written calculation that tells it, by its name in `[report]`.
+    fn chapter(&self) -> &'static str {
+        "regime"
+    }
+
+    /// What it finds.
+    fn finds(&self) -> Finds {
+        Finds::Numbers
+    }
+
+    /// What its result allows to say at the end of a calculation.
+    fn concludes(&self, _: &Machine, _: &Results, _: Language) -> Vec<Conclusion> {
+        Vec::new()
+    }
 
     /// Carries it out for a command of its own: exactly the rows that are asked for, no repetition that nobody asked for.
     fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
@@ -71,6 +89,33 @@ pub trait Study: Sync {
     fn repeats(&self) -> Repeats {
         Repeats::Numbers
     }
+}
+
+/// What a study finds: what others do with its result goes by this, and not by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Finds {
+    /// Numbers of its own sort.
+    Numbers,
+    /// Formulas and no numbers.
+    Formulas,
+    /// A motion from its start, row by row.
+    Motion,
+    /// What a prescribed motion takes, row by row.
+    Drives,
+    /// A motion from its start in closed form.
+    ClosedForm,
+    /// Points of a motion from its start.
+    Points,
+    /// A motion that repeats itself, row by row.
+    Regime,
+    /// Positions over a driven coordinate.
+    Positions,
+    /// Places of rest.
+    Rest,
+    /// Shapes of small motions.
+    Shapes,
+    /// Amplitudes of small motions over a frequency.
+    Amplitudes,
 }
 
 /// What a command line says about a study.
@@ -148,6 +193,11 @@ impl Studies {
     /// The study of that name.
     pub fn find(&self, name: &str) -> Option<&'static dyn Study> {
         self.iter().find(|study| study.kind().name == name)
+    }
+
+    /// What the study of that name finds; numbers where none has the name.
+    pub fn finds(&self, name: &str) -> Finds {
+        self.find(name).map_or(Finds::Numbers, Study::finds)
     }
 
     /// Their kinds, as the reader and the reference need them.

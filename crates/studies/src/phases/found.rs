@@ -16,6 +16,7 @@ pub struct Phases {
 impl Phases {
     /// Whether the loads begin anew at the start of a phase.
     pub fn restarts(&self, phase: &Phase) -> bool {
+        // the same instant by another sum of durations
         self.restarts.iter().any(|t| (t - phase.start).abs() <= 1e-12 * t.abs())
     }
 }

@@ -518,5 +518,6 @@ fn rest(listed: &Listed) -> Load {
 fn turned(angle: f64) -> f64 {
     use std::f64::consts::TAU;
     let within = angle - TAU * (angle / TAU).round();
+    // whole turns taken off leave their rounding
     if within.abs() < 1e-13 { 0.0 } else { within }
 }

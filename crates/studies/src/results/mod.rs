@@ -1,5 +1,6 @@
 //! What a study found, in a form that the terminal, the page, CSV and JSON all understand: [`Results`] is the only result type.
 
+mod conclusion;
 pub mod contacts;
 pub mod events;
 mod facts;
@@ -12,6 +13,7 @@ pub use facts::Fact;
 pub use view::{Extent, View};
 
 use analysis::Dataset;
+pub use conclusion::{Conclusion, greatest, shown};
 use mechanics::model::Plot;
 use report::figure::Pen;
 use report::{Block, Figure, Table, Word};
@@ -52,8 +54,8 @@ pub enum Alone {
     Titled,
     /// The title of the machine and what was found, without a heading; then the command that a user is likely to want.
     Written {
-        /// `run`, or the study itself with its numbers.
-        next: &'static str,
+        /// That command.
+        next: Next,
     },
     /// The table of places.
     Places,
@@ -61,6 +63,15 @@ pub enum Alone {
     Table,
     /// The written solution on terminals, CSV in pipes.
     WrittenOrTable,
+}
+
+/// What a user is likely to want after a study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Next {
+    /// `strutt run`.
+    Run,
+    /// The study itself, its numbers.
+    Numbers,
 }
 
 /// Something that a study shows in a way of its own.

@@ -61,6 +61,7 @@ impl Sketch<'_> {
     /// Whether a wheel is seen as a circle.
     pub(super) fn facing(&self, wheel: &Wheel) -> bool {
         let axis = self.numbers.frames[0][wheel.frame.index()].shown([0.0, 0.0, 1.0]);
+        // a thousandth of a radian off is still a circle to the eye
         self.stage.axes.iter().all(|a| dot(*a, axis).abs() < 1e-3)
     }
 

@@ -2,7 +2,7 @@
 //! in all states as a place does is that place, up to a constant.
 
 use super::groups::Groups;
-use super::numbers::{Numbers, V3, dot, minus, norm};
+use super::numbers::{ALIKE, Numbers, STILL, V3, dot, minus, norm};
 use crate::machine::Machine;
 use mechanics::model::{FrameId, Pathway, PointId, PointRef};
 use std::f64::consts::{PI, TAU};
@@ -68,26 +68,28 @@ impl Finder<'_> {
             if !have.is_finite() || !want.is_finite() {
                 return None;
             }
-            if have.abs() < 1e-9 {
+            if have.abs() < STILL {
+                // it moves where this does not: ten times what counts as standing still
                 if want.abs() > 1e-8 {
                     return None;
                 }
                 continue;
             }
             let k = want / have;
+            // quotients of movements of STEP and of its square: five digits at least
             if factor.is_some_and(|f| (f - k).abs() > 1e-5 * f.abs()) {
                 return None;
             }
             factor = factor.or(Some(k));
         }
-        factor.filter(|k| k.abs() > 1e-6)
+        factor.filter(|k| k.abs() > ALIKE)
     }
 
     /// Sign of what the pathway grows by later besides.
     fn driven(&self, series: &dyn Fn(usize) -> f64, factor: f64) -> f64 {
         let late = self.numbers.later();
         let change = self.values[late] - self.values[0] - factor * (series(late) - series(0));
-        if change.abs() > 1e-9 { change.signum() } else { 0.0 }
+        if change.abs() > STILL { change.signum() } else { 0.0 }
     }
 
     fn angle(&self, frame: FrameId, state: usize) -> f64 {
@@ -103,7 +105,7 @@ impl Finder<'_> {
                 let series = |s: usize| self.angle(*on, s) - self.angle(from, s);
                 let Some(k) = self.factor(&series) else { continue };
                 let ends = Ends::Turn { on: *on, from, sense: k.signum() };
-                if (k.abs() - 1.0).abs() < 1e-6 {
+                if (k.abs() - 1.0).abs() < ALIKE {
                     return Some(ends);
                 }
                 found = found.or(Some((k, ends)));
@@ -133,7 +135,7 @@ impl Finder<'_> {
                     let Some(k) = self.factor(&series) else { continue };
                     let driven = self.driven(&series, k);
                     let ends = Ends::Along { on, from, direction: direction.map(|c| c * k.signum()), driven };
-                    if (k.abs() - 1.0).abs() < 1e-6 {
+                    if (k.abs() - 1.0).abs() < ALIKE {
                         return Some(ends);
                     }
                     found = found.or(Some((k, ends)));
@@ -151,10 +153,10 @@ impl Finder<'_> {
         let mut all = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let ways = [Some(on), from].into_iter().flatten().filter_map(|p| {
             let first = self.numbers.at(0, p);
-            let way = self.numbers.still().skip(1).map(|s| minus(self.numbers.at(s, p), first)).find(|w| norm(*w) > 1e-9)?;
+            let way = self.numbers.still().skip(1).map(|s| minus(self.numbers.at(s, p), first)).find(|w| norm(*w) > STILL)?;
             super::numbers::unit(way)
         });
-        all.extend(ways.filter(|w| w.iter().filter(|c| c.abs() > 1e-9).count() > 1).collect::<Vec<_>>());
+        all.extend(ways.filter(|w| w.iter().filter(|c| c.abs() > STILL).count() > 1).collect::<Vec<_>>());
         all
     }
 }

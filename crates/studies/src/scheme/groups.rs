@@ -1,6 +1,6 @@
 //! Groups of frames that are one piece, and how each moves against the one that carries it.
 
-use super::numbers::{Numbers, Pose, V3, dot, minus, norm, unit};
+use super::numbers::{ALIKE, Numbers, Pose, STILL, V3, dot, minus, norm, unit};
 use mechanics::Model;
 use mechanics::model::{ConnectionKind, Frame, FrameId, Origin, PointRef};
 
@@ -82,6 +82,7 @@ impl Groups {
         for g in &mut all {
             let first = numbers.frames[0][g.root.index()];
             let moved =
+                // what turns by STEP turns its axes by far more; rounding of rotations is 1e-15
                 |s: usize| numbers.frames[s][g.root.index()].rotation.iter().zip(&first.rotation).any(|(a, b)| norm(minus(*a, *b)) > 1e-7);
             g.turns = g.joint == Joint::Held || (1..numbers.frames.len()).any(moved);
         }
@@ -144,28 +145,28 @@ fn stays(numbers: &Numbers, from: FrameId, frame: FrameId) -> bool {
     let first = seen(numbers, 0, (from, frame));
     (1..numbers.frames.len()).all(|s| {
         let pose = seen(numbers, s, (from, frame));
-        same_axes(&first, &pose) && norm(minus(pose.origin, first.origin)) < 1e-9 * (1.0 + norm(first.origin))
+        same_axes(&first, &pose) && norm(minus(pose.origin, first.origin)) < STILL * (1.0 + norm(first.origin))
     })
 }
 
 fn same_axes(a: &Pose, b: &Pose) -> bool {
-    a.rotation.iter().zip(&b.rotation).all(|(x, y)| norm(minus(*x, *y)) < 1e-9)
+    a.rotation.iter().zip(&b.rotation).all(|(x, y)| norm(minus(*x, *y)) < STILL)
 }
 
 fn joint(numbers: &Numbers, from: FrameId, frame: FrameId) -> Joint {
     let first = seen(numbers, 0, (from, frame));
     let poses: Vec<Pose> = (1..numbers.frames.len()).map(|s| seen(numbers, s, (from, frame))).collect();
     let turns = poses.iter().any(|p| !same_axes(&first, p));
-    let ways: Vec<V3> = poses.iter().map(|p| minus(p.origin, first.origin)).filter(|w| norm(*w) > 1e-9).collect();
+    let ways: Vec<V3> = poses.iter().map(|p| minus(p.origin, first.origin)).filter(|w| norm(*w) > STILL).collect();
     // the states of single coordinates say which way is forward
-    let single = poses.iter().skip(3).map(|p| minus(p.origin, first.origin)).find(|w| norm(*w) > 1e-9);
+    let single = poses.iter().skip(3).map(|p| minus(p.origin, first.origin)).find(|w| norm(*w) > STILL);
     let forward = single.and_then(unit).or_else(|| ways.first().and_then(|w| unit(*w)));
     match (turns, forward) {
         (true, None) => Joint::Turns,
         (true, Some(_)) => Joint::Free,
         (false, None) => Joint::Free,
         (false, Some(e)) => {
-            let straight = ways.iter().all(|w| norm(*w) - dot(*w, e).abs() < 1e-6 * norm(*w));
+            let straight = ways.iter().all(|w| norm(*w) - dot(*w, e).abs() < ALIKE * norm(*w));
             if straight { Joint::Slides(numbers.frames[0][from.index()].shown(e)) } else { Joint::Shifts }
         }
     }

@@ -3,6 +3,7 @@
 use super::ends::Ends;
 use super::groups::Joint;
 use super::sketch::{Act, Sketch};
+use crate::shown::{Role, role, role_at};
 use mechanics::model::{ConnectionKind, FrameId, PointRef, Slides, SupportDirection, Track};
 use report::scheme::{P, Place, Rides, S, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -138,7 +139,7 @@ impl Sketch<'_> {
         let angle = self.numbers.value(self.machine, along);
         let turn = self.stage.turn(pose.shown([angle.cos(), angle.sin(), 0.0])).unwrap_or(0.0);
         let on_ground = self.groups.of(on) == 0;
-        let is_slot = path.starts_with("slots");
+        let is_slot = role_at(path) == Role::Slot;
         let half = if is_slot { 2.2 * S } else { 1.7 * S };
         let [back, forth] = if on_ground { self.swept_point(point, turn) } else { [0.0; 2] };
         let (a, b) = (polar(at, back - half, turn), polar(at, forth + half, turn));
@@ -229,7 +230,7 @@ impl Sketch<'_> {
 
     /// Whether dry friction acts on a group.
     pub(super) fn rubs(&self, group: usize) -> bool {
-        self.acts.iter().any(|a| a.table == "frictions" && self.touches(a, group))
+        self.acts.iter().any(|a| role(a.table) == Role::Friction && self.touches(a, group))
     }
 
     /// Whether an act has an end on a group.
@@ -261,8 +262,11 @@ impl Sketch<'_> {
         self.put("wall", "ground", Place { at: from, to, ..Place::default() });
         if gap == 0.0 {
             let (from, to) = (polar(low, -block.half[0], block.turn), polar(low, block.half[0], block.turn));
-            let rubbing =
-                self.acts.iter().find(|a| a.table == "frictions" && self.touches(a, group)).map_or_else(String::new, |a| a.path.clone());
+            let rubbing = self
+                .acts
+                .iter()
+                .find(|a| role(a.table) == Role::Friction && self.touches(a, group))
+                .map_or_else(String::new, |a| a.path.clone());
             self.rides = Rides::along(group);
             self.put("friction", &rubbing, Place { at: from, to, ..Place::default() });
         }
@@ -302,7 +306,7 @@ impl Sketch<'_> {
             let [back, forth] = if bearer == 0 { self.swept_at(self.group_of(*center), turn) } else { [0.0; 2] };
             let (a, b) = (polar(contact, back - half, turn), polar(contact, forth + half, turn));
             let (from, to) = if *left { (a, b) } else { (b, a) };
-            if connection.table == "racks" {
+            if role(connection.table) == Role::Rack {
                 // the teeth of the rack mesh with those of the wheel
                 self.put("rack", &path, Place { at: from, to, ..Place::default() });
                 if bearer == 0 {

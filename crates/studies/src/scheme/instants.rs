@@ -1,8 +1,9 @@
 //! The place in which a machine is drawn: at a time of its motion, at rest.
 
-use super::numbers::Instant;
+use super::numbers::{Instant, STILL};
 use crate::equilibrium;
 use crate::machine::Machine;
+use crate::shown::{Role, role};
 use crate::simulate::{self, Simulate, TOLERANCE};
 use crate::watch::Watch;
 use analysis::Dataset;
@@ -29,7 +30,7 @@ pub fn at_time(machine: &mut Machine, time: f64, watch: &mut Watch) -> Result<In
     let results = simulate::motion(machine, &study, watch);
     let rows = results.data.columns.first().map_or(0, |c| c.values.len());
     let reached = results.data.axis.and_then(|i| results.data.columns.get(i)).and_then(|c| c.values.last()).copied();
-    if rows == 0 || reached.is_none_or(|t| (t - time).abs() > 1e-9 * time) {
+    if rows == 0 || reached.is_none_or(|t| (t - time).abs() > STILL * time) {
         return Err(results.trouble.unwrap_or_else(|| unreached(time, reached.unwrap_or(0.0))));
     }
     Ok(Instant { t: time, ..row(machine, &results.data, (rows - 1, &start)) })
@@ -78,7 +79,7 @@ fn unreached(time: f64, reached: f64) -> Notice {
 
 /// A closed mechanism that begins stretched, with its first given angle moved to where the figure is clear.
 pub(super) fn bent(machine: &Machine) -> Option<Instant> {
-    let closed = machine.model.connections.iter().any(|c| matches!(c.table, "pins" | "sliders" | "slots" | "rods"));
+    let closed = machine.model.connections.iter().any(|c| matches!(role(c.table), Role::Joint | Role::Slot));
     let angle = machine.model.coordinates.iter().position(|c| c.given[0] && c.units[0] == "rad").filter(|_| closed)?;
     let start = Instant::start(machine);
     let turned = machine.with_values(&[(&machine.model.coordinates[angle].name, start.q[angle] + 0.8)]).ok()?;

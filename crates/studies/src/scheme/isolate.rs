@@ -7,6 +7,7 @@ use super::ends::Ends;
 use super::groups::Joint;
 use super::numbers::V3;
 use super::sketch::{Act, Sketch};
+use crate::shown::{Role, role, role_at};
 use mechanics::model::{ConnectionKind, FrameId, PointRef, Site, SupportDirection, Track, Wound};
 use report::formula::{Form, Printer};
 use report::scheme::{LabelText, P, Place, S, direction, distance, polar};
@@ -101,7 +102,7 @@ impl Cut<'_, '_> {
                 ConnectionKind::Pin { between, axes } | ConnectionKind::Weld { between, axes } => {
                     let Some((at, sign)) = self.end(*between) else { continue };
                     self.components(names, at, (*axes, sign));
-                    if c.table == "welds" {
+                    if role(c.table) == Role::Weld {
                         let letter = self.letter("moment", &c.name, "M");
                         self.bow(&path, (at, sign), letter);
                     }
@@ -208,7 +209,7 @@ impl Cut<'_, '_> {
         let r = self.sketch.long(radii[k]);
         let toward = direction(own, other);
         // the smaller wheel meshes with inner teeth on its far side
-        let inside = path.starts_with("gears") && sense < 0.0 && radii[k] < radii[1 - k];
+        let inside = role_at(path) == Role::Gear && sense < 0.0 && radii[k] < radii[1 - k];
         let side = if inside { toward + PI } else { toward };
         let contact = polar(own, r, side);
         let turn = side + FRAC_PI_2 * if k == 1 { 1.0 } else { sense };
@@ -233,10 +234,10 @@ impl Cut<'_, '_> {
         let normal = turn + if *left { FRAC_PI_2 } else { -FRAC_PI_2 };
         let contact = polar(c, -r, normal);
         let flip = if sign < 0.0 { PI } else { 0.0 };
-        let part = if path.starts_with("racks") { "force" } else { "tangential" };
+        let part = if role_at(path) == Role::Rack { "force" } else { "tangential" };
         let letter = self.letter(part, name, "F");
         self.arrow(path, (contact, turn + flip), letter);
-        if path.starts_with("rolling") {
+        if role_at(path) == Role::Rolling {
             let letter = self.letter("normal", name, "N");
             self.arrow(path, (contact, normal + flip), letter);
         }
@@ -329,21 +330,19 @@ impl Cut<'_, '_> {
     /// Whether a positive force makes the pathway longer: loads and drives do, and a stop that holds it from below; springs, dampers and a stop that holds it from above
     /// make it shorter, frictions resist.
     fn grows(&self, act: &Act) -> bool {
-        match act.table {
-            "stops" => matches!(self.sketch.connection(act), Some(ConnectionKind::Stop { above: true, .. })),
-            table => matches!(table, "forces" | "motors" | "motions"),
+        match role(act.table) {
+            Role::Stop => matches!(self.sketch.connection(act), Some(ConnectionKind::Stop { above: true, .. })),
+            role => matches!(role, Role::Force | Role::Motor | Role::Motion),
         }
     }
 
     /// F with the letter of a stiffness or damping as its index; loads and drives have their own letter.
     fn force_of(&self, act: &Act) -> LabelText {
         let base = if matches!(act.ends, Ends::Turn { .. }) { "M" } else { "F" };
-        match (act.table, self.sketch.letter(act)) {
-            ("springs" | "dampers" | "torsion_bars", LabelText::Symbol(letter)) => {
-                LabelText::Symbol(format!("{base}_{}", letter.replace('_', "")))
-            }
-            ("springs" | "dampers" | "torsion_bars", _) => LabelText::Symbol(base.to_owned()),
-            ("stops" | "frictions" | "motions", _) => {
+        match (role(act.table), self.sketch.letter(act)) {
+            (Role::Spring | Role::Damper, LabelText::Symbol(letter)) => LabelText::Symbol(format!("{base}_{}", letter.replace('_', ""))),
+            (Role::Spring | Role::Damper, _) => LabelText::Symbol(base.to_owned()),
+            (Role::Stop | Role::Friction | Role::Motion, _) => {
                 let name = act.path.rsplit('.').next().unwrap_or_default();
                 self.letter("force", name, base)
             }

@@ -9,25 +9,6 @@ use words::Language;
 /// Longest formula beside a symbol.
 const LONGEST: usize = 14;
 
-/// Letters of what has none in the file.
-const USUAL: &[(&str, &str)] = &[
-    ("springs", "c"),
-    ("dampers", "b"),
-    ("torsion_bars", "c"),
-    ("forces", "F"),
-    ("torques", "M"),
-    ("distributed", "q"),
-    ("potentials", "Π"),
-    ("dissipations", "Φ"),
-    ("motors", "M"),
-    ("frictions", "f"),
-    ("ropes", "S"),
-    ("threads", "S"),
-    ("belts", "S"),
-    ("chains", "S"),
-    ("constraints", "f"),
-];
-
 /// Letters of a machine.
 pub struct Letters<'a> {
     machine: &'a Machine,
@@ -83,7 +64,7 @@ impl Letters<'_> {
         if name.chars().filter(|c| c.is_alphabetic()).count() <= 3 {
             return self.named(name);
         }
-        let letter = USUAL.iter().find(|row| row.0 == table).map_or("", |row| row.1);
+        let letter = crate::shown::find(table).map_or("", |row| row.letter);
         let model = &self.machine.model;
         let elements = model.elements.iter().map(|e| e.path.clone());
         let connections = model.connections.iter().map(|c| format!("{}.{}", c.table, c.name));

@@ -1,7 +1,7 @@
 //! What is to be seen of each group: the places that others hold it by, its wheels, its load.
 
 use super::groups::{Groups, Joint, frame_of};
-use super::numbers::{Numbers, Pose, V3, dot, minus, norm, plus};
+use super::numbers::{ALIKE, Numbers, Pose, STILL, V3, dot, minus, norm, plus};
 use crate::machine::Machine;
 use mechanics::model::{ConnectionKind, FrameId, Inertia, Origin, PointId, PointRef, Site, Solid, Track};
 use symbolic::Expr;
@@ -69,7 +69,7 @@ impl Look {
             return;
         }
         let size = self.spots.iter().map(|s| norm(minus(s.at, at))).fold(0.0, f64::max);
-        if let Some(known) = self.spots.iter_mut().find(|s| norm(minus(s.at, at)) <= 1e-9 * (1.0 + size)) {
+        if let Some(known) = self.spots.iter_mut().find(|s| norm(minus(s.at, at)) <= STILL * (1.0 + size)) {
             known.held |= held;
             known.name = known.name.take().or_else(|| name.map(str::to_owned));
             return;
@@ -78,7 +78,7 @@ impl Look {
     }
 
     fn wheel(&mut self, wheel: Wheel) {
-        let same = |w: &&mut Wheel| norm(minus(w.center, wheel.center)) < 1e-9 && (w.radius - wheel.radius).abs() < 1e-6 * w.radius;
+        let same = |w: &&mut Wheel| norm(minus(w.center, wheel.center)) < STILL && (w.radius - wheel.radius).abs() < ALIKE * w.radius;
         let real = wheel.radius.is_finite() && wheel.radius > 0.0;
         match self.wheels.iter_mut().find(same) {
             // teeth and grooves say more than a disc
@@ -187,13 +187,13 @@ impl Gatherer<'_> {
                     }
                 }
                 ConnectionKind::Wheels { between, radii, .. } => {
-                    let symbol = if connection.table == "gears" { "gear" } else { "pulley" };
+                    let symbol = crate::shown::find(connection.table).map_or("", |row| row.wheel);
                     for (frame, radius) in between.iter().zip(radii) {
                         self.wheel_of(*frame, PointRef::Origin(*frame), (symbol, *radius));
                     }
                 }
                 ConnectionKind::Rolling { wheel, center, radius, track, .. } => {
-                    let symbol = if connection.table == "racks" { "gear" } else { "disc" };
+                    let symbol = crate::shown::find(connection.table).map_or("", |row| row.wheel);
                     self.wheel_of(*wheel, *center, (symbol, *radius));
                     if let Track::Circle { center, .. } = track {
                         self.hold(*center);
@@ -230,7 +230,7 @@ impl Gatherer<'_> {
             let reference = PointRef::Point(PointId(i));
             let group = self.groups.of(frame_of(&machine.model, reference));
             let at = self.numbers.at(0, reference);
-            if group > 0 || self.looks[0].spots.iter().any(|s| norm(minus(s.at, at)) < 1e-9) {
+            if group > 0 || self.looks[0].spots.iter().any(|s| norm(minus(s.at, at)) < STILL) {
                 self.looks[group].spot(at, Spotted::Named(&point.name));
             }
             self.length(group, (point.on, at), point.at);

@@ -1,7 +1,7 @@
 //! A machine in motion: the scheme of its first place with room for all others, and the tracks of what carries its items. Places come from the states of the
 //! motion by the formulas of the derivation, so that the picture cannot move otherwise than the machine.
 
-use super::numbers::{Pose, V3, dot, minus};
+use super::numbers::{ALIKE, Pose, STILL, V3, cross, dot, minus};
 use super::shafts::{self, MARK};
 use super::sketch::{Carrier, Sketch, draw_moving};
 use super::{course::Course, ends::Ends};
@@ -60,8 +60,8 @@ fn tracks(sketch: &Sketch, course: &Course) -> Vec<Track> {
 
 /// A track along which nothing is seen to move is none.
 fn resting(track: Track) -> Track {
-    let same = |p: &P| track.at.first().is_some_and(|q| (p[0] - q[0]).abs() < 1e-6 && (p[1] - q[1]).abs() < 1e-6);
-    let still = track.at.iter().all(same) && track.turn.iter().all(|a| (a - track.turn[0]).abs() < 1e-9);
+    let same = |p: &P| track.at.first().is_some_and(|q| (p[0] - q[0]).abs() < ALIKE && (p[1] - q[1]).abs() < ALIKE);
+    let still = track.at.iter().all(same) && track.turn.iter().all(|a| (a - track.turn[0]).abs() < STILL);
     if still { Track::default() } else { track }
 }
 
@@ -78,14 +78,10 @@ fn leaned(sketch: &Sketch, frames: &[Pose], (group, center): (usize, V3), (axis,
     let now = frames[root].shown(sketch.numbers.frames[0][root].seen(axis));
     let (v, sine, cosine) = (minus(at, center), cross(axis, now), dot(axis, now));
     let first = cross(sine, v);
-    let second = cross(sine, first).map(|c| c / (1.0 + cosine).max(1e-9));
+    let second = cross(sine, first).map(|c| c / (1.0 + cosine).max(STILL));
     let turned = [0, 1, 2].map(|k| v[k] + first[k] + second[k]);
     let there = carried(sketch, frames, (group, center));
     sketch.stage.place(group, [0, 1, 2].map(|k| there[k] + turned[k]))
-}
-
-fn cross(a: V3, b: V3) -> V3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The origin of a group and its turn in the plane of the picture.

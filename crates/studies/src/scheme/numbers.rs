@@ -6,13 +6,18 @@ use mechanics::model::{Class, FrameId, Pathway, PointId, PointRef};
 use std::collections::BTreeMap;
 use symbolic::{Expr, SymbolId};
 
-/// A vector in ground axes.
-pub type V3 = [f64; 3];
+pub use algebra::space::{Vector as V3, cross, dot, minus, norm};
 
 /// States in which all coordinates are moved at once.
 const MIXED: usize = 3;
 /// How far coordinates are moved, rad or m.
 const STEP: f64 = 0.06;
+
+/// Below it nothing moves and two places are one, in metres, radians or pixels: what moves at all moves by some thousandth of [`STEP`] and more, and places about a
+/// metre are rounded to 1e-15.
+pub const STILL: f64 = 1e-9;
+/// Ratios of movements that differ less, relatively, are one: movements of [`STEP`] and of its square carry ten digits and more.
+pub const ALIKE: f64 = 1e-6;
 
 /// Where a frame is.
 #[derive(Clone, Copy, Debug)]
@@ -210,29 +215,15 @@ fn values(machine: &Machine, (q, rates): (&[f64], &[f64]), t: f64) -> BTreeMap<S
     known
 }
 
-/// a - b.
-pub fn minus(a: V3, b: V3) -> V3 {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
 /// a + k b.
 pub fn plus(a: V3, k: f64, b: V3) -> V3 {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
 
-/// a·b.
-pub fn dot(a: V3, b: V3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// Length.
-pub fn norm(a: V3) -> f64 {
-    dot(a, a).sqrt()
-}
-
 /// The vector of length 1 in that direction; none for no direction.
 pub fn unit(a: V3) -> Option<V3> {
     let n = norm(a);
+    // a direction of anything shorter is rounding
     (n.is_finite() && n > 1e-12).then(|| a.map(|c| c / n))
 }
 

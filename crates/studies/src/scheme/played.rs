@@ -1,6 +1,7 @@
 //! Which studies have moving pictures: motions, linkages, periodic regimes along their trails; small motions along their shapes.
 
 use super::moving::along;
+use crate::Finds;
 use crate::machine::Machine;
 use crate::results::{Results, contacts};
 use analysis::System;
@@ -26,8 +27,8 @@ const WIDEST: f64 = 0.4;
 
 /// The moving pictures of what a study found.
 pub fn of(machine: &Machine, results: &Results, language: Language) -> Vec<Moving> {
-    match results.kind {
-        "modes" => shapes(machine, results, language),
+    match machine.origin.studies.finds(results.kind) {
+        Finds::Shapes => shapes(machine, results, language),
         _ => motion(machine, results, language).into_iter().collect(),
     }
 }
@@ -35,7 +36,8 @@ pub fn of(machine: &Machine, results: &Results, language: Language) -> Vec<Movin
 fn motion(machine: &Machine, results: &Results, language: Language) -> Option<Moving> {
     let data = &results.data;
     let axis = &data.columns.get(data.axis?)?.quantity;
-    let clock = Clock { symbol: axis.symbol.clone(), unit: axis.unit.clone(), repeats: matches!(results.kind, "periodic" | "kinematics") };
+    let repeats = matches!(machine.origin.studies.finds(results.kind), Finds::Regime | Finds::Positions);
+    let clock = Clock { symbol: axis.symbol.clone(), unit: axis.unit.clone(), repeats };
     let mut moving = along(machine, (&data.trail, clock), language)?;
     for (contact, stretches) in contacts::courses(data) {
         let own = format!(".{contact}");
@@ -74,6 +76,7 @@ fn shapes(machine: &Machine, results: &Results, language: Language) -> Vec<Movin
 
 fn swing(machine: &Machine, (rest, shape): (&[f64], &[[f64; 2]]), (row, omega): (usize, f64), language: Language) -> Option<Moving> {
     let clock = || Clock { symbol: "t".into(), unit: "s".into(), repeats: true };
+    // small enough to be straight, large beside rounding: only its size in the picture counts
     let small = 1e-4;
     let tried = along(machine, (&trail(machine, (rest, shape), small), clock()), language)?;
     let (mut far, mut wide) = (0.0_f64, 0.0_f64);
@@ -81,6 +84,7 @@ fn swing(machine: &Machine, (rest, shape): (&[f64], &[[f64; 2]]), (row, omega): 
         far = track.at.iter().map(|p| (p[0] - track.at[0][0]).hypot(p[1] - track.at[0][1])).fold(far, f64::max);
         wide = track.turn.iter().map(|a| (a - track.turn[0]).abs()).fold(wide, f64::max);
     }
+    // a shape that moves nothing is shown as large as any: no quotient by nothing
     let size = (REACH / far.max(1e-12)).min(WIDEST / wide.max(1e-12));
     let mut moving = along(machine, (&trail(machine, (rest, shape), small * size), clock()), language)?;
     moving.rest = true;

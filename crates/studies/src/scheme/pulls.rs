@@ -1,9 +1,10 @@
 //! What acts along pathways: springs, dampers, stops, frictions, motors and given motions; then loads.
 
 use super::ends::Ends;
-use super::numbers::V3;
+use super::numbers::{STILL, V3};
 use super::sketch::{Act, Carrier, Sketch};
 use super::ties::SMALL;
+use crate::shown::{Role, find, role};
 use mechanics::model::{ConnectionKind, FrameId, PointRef, Site, Slides};
 use report::scheme::{LabelText, P, Place, Rides, S, between, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -17,14 +18,14 @@ impl Sketch<'_> {
     pub(super) fn pulls(&mut self) {
         let acts = self.acts.clone();
         for (i, act) in acts.iter().enumerate() {
-            match (&act.ends, act.table) {
+            match (&act.ends, role(act.table)) {
                 (Ends::Points(a, b), _) => {
                     self.rides = Rides::between(self.group_of(*a), self.group_of(*b));
                     let (a, b) = (self.seen(*a), self.seen(*b));
                     let side = self.rank(&acts, i);
                     self.tie(act, offset((a, b), side));
                 }
-                (Ends::Along { .. }, "springs" | "dampers") => self.along((i, act), self.rank(&acts, i)),
+                (Ends::Along { .. }, Role::Spring | Role::Damper) => self.along((i, act), self.rank(&acts, i)),
                 (Ends::Along { on, direction, driven, .. }, _) => self.push(act, (*on, *direction), *driven),
                 (Ends::Turn { on, from, sense, .. }, _) => self.turn(act, (*on, *from, *sense), self.rank_of_turn(&acts, i)),
                 (Ends::Unknown, _) => self.somewhere(act),
@@ -86,16 +87,11 @@ impl Sketch<'_> {
     }
 
     fn symbol_of(&self, act: &Act) -> &'static str {
-        match act.table {
-            "springs" if self.has_play(act) => "backlash",
-            "springs" => "spring",
-            "dampers" => "damper",
-            "torsion_bars" => "torsion_bar",
-            "forces" => "force",
-            "motions" => "motion",
-            "motors" => "force",
-            "stops" => "stop",
-            _ => "friction",
+        let own = find(act.table).map_or("", |row| row.along);
+        match own {
+            _ if self.has_play(act) => "backlash",
+            "" => "friction",
+            own => own,
         }
     }
 
@@ -165,9 +161,9 @@ impl Sketch<'_> {
     fn push(&mut self, act: &Act, (on, way): (PointRef, V3), driven: f64) {
         let Some(turn) = self.stage.turn(way) else { return self.somewhere(act) };
         let against = if let Ends::Along { from: Some(f), .. } = act.ends { self.group_of(f) } else { 0 };
-        self.rides = Rides::along(if act.table == "stops" { against } else { self.group_of(on) });
-        match act.table {
-            "stops" => {
+        self.rides = Rides::along(if role(act.table) == Role::Stop { against } else { self.group_of(on) });
+        match role(act.table) {
+            Role::Stop => {
                 let Some(ConnectionKind::Stop { above, clearance, .. }) = self.connection(act) else { return };
                 let turn = if *above { turn + PI } else { turn };
                 let edge = self.grip(on, turn);
@@ -182,7 +178,7 @@ impl Sketch<'_> {
                     self.put("stop", &act.path, Place { at, turn, ..Place::default() });
                 }
             }
-            "frictions" => {
+            Role::Friction => {
                 let group = self.group_of(on);
                 if let Some(block) = self.blocks[group] {
                     let low = polar(block.center, -block.half[1], block.turn + FRAC_PI_2);
@@ -240,12 +236,8 @@ impl Sketch<'_> {
         self.rides = Rides::along(group);
         let wheel = self.looks[group].wheels.iter().map(|w| self.long(w.radius)).fold(0.0, f64::max);
         let clear = wheel.max(0.75 * S);
-        let symbol = match act.table {
-            "springs" | "torsion_bars" => "torsion_spring",
-            "dampers" => "torsion_damper",
-            "motions" => "motion_turn",
-            "frictions" => "slip_mark",
-            "stops" => "stop",
+        let symbol = match find(act.table).map_or("", |row| row.turning) {
+            own if !own.is_empty() => own,
             _ if sense < 0.0 => "moment_negative",
             _ => "moment",
         };
@@ -283,8 +275,8 @@ impl Sketch<'_> {
             let root = self.groups.all[*i].root.index();
             let (a, b) = (self.numbers.frames[0][root], self.numbers.frames[state][root]);
             let far = super::numbers::norm(super::numbers::minus(a.origin, b.origin));
-            let turned = a.rotation.iter().zip(&b.rotation).any(|(x, y)| super::numbers::norm(super::numbers::minus(*x, *y)) > 1e-9);
-            far > 1e-9 || turned
+            let turned = a.rotation.iter().zip(&b.rotation).any(|(x, y)| super::numbers::norm(super::numbers::minus(*x, *y)) > STILL);
+            far > STILL || turned
         })
     }
 

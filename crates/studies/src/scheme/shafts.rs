@@ -2,8 +2,9 @@
 
 use super::ends::Ends;
 use super::groups::Joint;
-use super::numbers::{Numbers, minus, norm};
+use super::numbers::{ALIKE, Numbers, STILL, minus, norm};
 use super::sketch::{Act, Carrier, Sketch};
+use crate::shown::{Role, role};
 use mechanics::model::{ConnectionKind, Site};
 use report::scheme::{LabelText, P, Place, Rides, S, between, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -38,10 +39,10 @@ struct Stage {
 pub(super) fn is_line(sketch: &Sketch) -> bool {
     let groups = &sketch.groups.all[1..];
     let origin = |g: usize| sketch.numbers.frames[0][sketch.groups.all[g].root.index()].origin;
-    let alone = |i: usize| sketch.looks[i].spots.iter().all(|s| norm(minus(s.at, origin(i))) < 1e-9);
+    let alone = |i: usize| sketch.looks[i].spots.iter().all(|s| norm(minus(s.at, origin(i))) < STILL);
     groups.len() >= 2
         && sketch.machine.model.structure.is_none()
-        && (1..=groups.len()).all(|i| sketch.groups.all[i].joint == Joint::Turns && alone(i) && norm(minus(origin(i), origin(1))) < 1e-9)
+        && (1..=groups.len()).all(|i| sketch.groups.all[i].joint == Joint::Turns && alone(i) && norm(minus(origin(i), origin(1))) < STILL)
         && sketch
             .acts
             .iter()
@@ -97,9 +98,9 @@ fn stages(sketch: &Sketch) -> Vec<Stage> {
         for b in a + 1..n {
             let ratios = sketch.numbers.still().skip(1).map(|s| (turned(a, s), turned(b, s)));
             let mut ratio = None;
-            let fixed = ratios.filter(|(x, y)| x.abs() > 1e-9 || y.abs() > 1e-9).all(|(x, y)| {
+            let fixed = ratios.filter(|(x, y)| x.abs() > STILL || y.abs() > STILL).all(|(x, y)| {
                 let k = y / x;
-                let same = ratio.is_none_or(|r: f64| (r - k).abs() < 1e-6 * r.abs());
+                let same = ratio.is_none_or(|r: f64| (r - k).abs() < ALIKE * r.abs());
                 ratio = Some(k);
                 same && k.is_finite() && k != 0.0
             });
@@ -201,8 +202,8 @@ fn shafts(sketch: &mut Sketch, discs: &[Disc]) {
         let Ends::Turn { on, from, .. } = act.ends else { continue };
         let find = |f| discs.iter().find(|d| d.group == sketch.groups.of(f)).copied();
         let letter = sketch.letter(act);
-        match (find(from), find(on), act.table) {
-            (Some(a), Some(b), "springs" | "torsion_bars") => {
+        match (find(from), find(on), role(act.table)) {
+            (Some(a), Some(b), Role::Spring) => {
                 let (a, b) = if a.at[0] <= b.at[0] { (a, b) } else { (b, a) };
                 let symbol = if sketch.has_play(act) { "backlash" } else { "torsion_bar" };
                 sketch.put(symbol, &act.path, Place { at: a.at, to: b.at, ..Place::default() });
@@ -213,20 +214,20 @@ fn shafts(sketch: &mut Sketch, discs: &[Disc]) {
                 sketch.put("damper", &act.path, Place { at: a, to: b, ..Place::default() });
                 sketch.note(letter, between(a, b, 0.5), 0.55 * S, Some(-FRAC_PI_2));
             }
-            (None, Some(b), table) => grounded(sketch, (act, table), (b, letter)),
-            (Some(a), None, table) => grounded(sketch, (act, table), (a, letter)),
+            (None, Some(b), role) => grounded(sketch, (act, role), (b, letter)),
+            (Some(a), None, role) => grounded(sketch, (act, role), (a, letter)),
             _ => {}
         }
     }
 }
 
 /// A spring or damper to the ground, a moment on one disc.
-fn grounded(sketch: &mut Sketch, (act, table): (&Act, &str), (disc, letter): (Disc, LabelText)) {
+fn grounded(sketch: &mut Sketch, (act, role): (&Act, Role), (disc, letter): (Disc, LabelText)) {
     let foot = [disc.at[0] - 0.9 * S, disc.at[1] + disc.half + 2.6 * S];
     let rim = [foot[0], disc.at[1] + 0.8 * disc.half];
-    match table {
-        "dampers" | "springs" | "torsion_bars" => {
-            let symbol = if table == "dampers" { "damper" } else { "spring" };
+    match role {
+        Role::Damper | Role::Spring => {
+            let symbol = if role == Role::Damper { "damper" } else { "spring" };
             sketch.put("shaft", &act.path, Place { at: rim, to: [disc.at[0], rim[1]], ..Place::default() });
             sketch.put(symbol, &act.path, Place { at: foot, to: rim, ..Place::default() });
             sketch.put("wall", "ground", Place { at: [foot[0] - 0.7 * S, foot[1]], to: [foot[0] + 0.7 * S, foot[1]], ..Place::default() });

@@ -1,7 +1,7 @@
 //! Letters and numbers: bodies, points, coordinates, lengths, masses, gravity.
 
 use super::groups::Joint;
-use super::numbers::{minus, norm};
+use super::numbers::{STILL, minus, norm};
 use super::sketch::Sketch;
 use mechanics::model::FrameId;
 use report::scheme::{Label, LabelText, P, Place, Rides, S, between, direction, distance, polar};
@@ -129,7 +129,7 @@ impl Sketch<'_> {
             let way = minus(b.origin, a.origin);
             let path = format!("coordinates.{name}");
             let text = self.letters.named(name);
-            if norm(way) > 1e-9 && self.groups.all[group].joint != Joint::Turns {
+            if norm(way) > STILL && self.groups.all[group].joint != Joint::Turns {
                 let Some(turn) = self.stage.turn(way) else { continue };
                 let from = self.beside(group, turn, taken[group]);
                 taken[group] += 1;

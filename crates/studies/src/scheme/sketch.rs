@@ -6,9 +6,10 @@ use super::ends::{Ends, ends};
 use super::groups::{Groups, Joint};
 use super::letters::Letters;
 use super::looks::{Look, looks};
-use super::numbers::{Instant, Numbers, Pose, V3, minus, norm, plus};
+use super::numbers::{Instant, Numbers, Pose, STILL, V3, minus, norm, plus};
 use super::stage::Stage;
 use crate::machine::Machine;
+use crate::shown::{Role, role};
 use mechanics::model::{ConnectionKind, FrameId, Pathway, PointRef, Site, Slides};
 use report::Scheme;
 use report::scheme::{P, Place, Rides, S, direction};
@@ -365,7 +366,7 @@ impl Sketch<'_> {
             let spots = look.spots.iter().map(|s| s.at).chain(look.centers.iter().map(|c| c.0));
             spots.map(move |p| norm(minus(p, origin(i)))).chain(look.wheels.iter().map(|w| w.radius))
         });
-        sizes.filter(|r| *r > 1e-9).fold(f64::INFINITY, f64::min)
+        sizes.filter(|r| *r > STILL).fold(f64::INFINITY, f64::min)
     }
 
     /// Beside blocks, which have no size of their own, the shortest link is not longer than a few modules.
@@ -402,7 +403,7 @@ impl Sketch<'_> {
                 Joint::Slides(way) if !self.hangs(i) => self.stage.turn(way).unwrap_or(0.0),
                 _ => 0.0,
             };
-            let turn = if turn.cos() < -1e-9 { turn + std::f64::consts::PI } else { turn };
+            let turn = if turn.cos() < -STILL { turn + std::f64::consts::PI } else { turn };
             let center = look.centers.first().map_or(self.numbers.frames[0][group.root.index()].origin, |c| c.0);
             let slender = self.is_guided(i);
             let side_by_side = self.side_by_side(i);
@@ -434,7 +435,7 @@ impl Sketch<'_> {
 
     /// Whether it lies between two ends as springs do.
     pub fn is_body(&self, act: &Act) -> bool {
-        matches!(act.table, "springs" | "dampers")
+        matches!(role(act.table), Role::Spring | Role::Damper)
     }
 
     /// Whether something holds a group across its way.

@@ -4,7 +4,7 @@ use super::ends::Ends;
 use super::groups::Groups;
 use super::letters::Letters;
 use super::looks::Look;
-use super::numbers::{Instant, Numbers, Pose, V3};
+use super::numbers::{Instant, Numbers, Pose, STILL, V3};
 use super::stage::Stage;
 use crate::machine::Machine;
 use report::Scheme;
@@ -73,7 +73,7 @@ impl Block {
     /// Distance from the centre to the edge in a direction.
     pub fn reach(&self, turn: f64) -> f64 {
         let (c, s) = ((turn - self.turn).cos().abs(), (turn - self.turn).sin().abs());
-        let along = |half: f64, c: f64| if c < 1e-9 { f64::INFINITY } else { half / c };
+        let along = |half: f64, c: f64| if c < STILL { f64::INFINITY } else { half / c };
         along(self.half[0], c).min(along(self.half[1], s))
     }
 }

@@ -1,6 +1,6 @@
 //! From metres to the picture: the directions that are seen, one scale for all, and shifts of groups that would lie on each other.
 
-use super::numbers::{V3, dot, plus};
+use super::numbers::{STILL, V3, dot, plus};
 use report::scheme::{P, S};
 use std::cell::RefCell;
 
@@ -74,6 +74,6 @@ impl Stage {
     /// The direction in which a vector is seen, rad; none where it is seen as a point.
     pub fn turn(&self, v: V3) -> Option<f64> {
         let (x, y) = (dot(self.axes[0], v), dot(self.axes[1], v));
-        (x.hypot(y) > 1e-9).then(|| y.atan2(x))
+        (x.hypot(y) > STILL).then(|| y.atan2(x))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::groups::Joint;
 use super::sketch::Sketch;
+use crate::shown::{Role, role, role_at};
 use mechanics::model::{ConnectionKind, PointRef, Wound};
 use report::scheme::{Drum, P, Place, Rides, S, Via, between, direction, distance, polar, tangent};
 use std::f64::consts::FRAC_PI_2;
@@ -19,7 +20,7 @@ impl Sketch<'_> {
                     let [r, s] = radii.map(|e| self.long(self.numbers.value(machine, e)));
                     self.rides = self.over_wheels(between.map(|f| self.groups.of(f)), r);
                     self.transmission(&path, (a, b), (r, s), if *opposite { Sense::Opposite } else { Sense::Same });
-                    if connection.table != "gears" {
+                    if role(connection.table) != Role::Gear {
                         let name = self.letters.load(&path);
                         let side = direction(a, b) + FRAC_PI_2;
                         self.note(name, polar(report::scheme::between(a, b, 0.5), (r + s) / 2.0, side), 5.0, Some(side));
@@ -47,10 +48,10 @@ impl Sketch<'_> {
 
     fn transmission(&mut self, path: &str, (a, b): (P, P), (r, s): (f64, f64), sense: Sense) {
         let place = Place { at: a, to: b, size: r, other: s, ..Place::default() };
-        let symbol = match (path.split('.').next(), sense) {
-            (Some("chains"), _) => "chain",
-            (Some("gears"), Sense::Opposite) => return,
-            (Some("gears"), Sense::Same) => {
+        let symbol = match (role_at(path), sense) {
+            (Role::Chain, _) => "chain",
+            (Role::Gear, Sense::Opposite) => return,
+            (Role::Gear, Sense::Same) => {
                 let (at, size) = if r > s { (a, r) } else { (b, s) };
                 self.put("gear_internal", path, Place { at, size, ..Place::default() });
                 return;

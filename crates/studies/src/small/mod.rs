@@ -13,6 +13,7 @@ pub mod show;
 mod strands;
 mod touching;
 
+use crate::Finds;
 use crate::machine::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
@@ -199,7 +200,8 @@ fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Ve
     if !guess.is_empty() {
         return vec![from(guess)];
     }
-    let guessed = machine.model.studies.iter().filter(|asked| asked.kind == "equilibrium" && !asked.guess().is_empty());
+    let guessed =
+        machine.model.studies.iter().filter(|asked| machine.origin.studies.finds(asked.kind) == Finds::Rest && !asked.guess().is_empty());
     let guesses = guessed.map(|asked| from(asked.guess()));
     std::iter::once(start[..n].to_vec()).chain(guesses).chain([vec![0.0; n]]).collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::machine::Machine;
 use crate::provenance;
-use crate::results::{Alone, Body, Results};
+use crate::results::{Alone, Body, Next, Results};
 use crate::small::asked::{Modes as Study, ParameterRange, Scale};
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
@@ -20,6 +20,9 @@ use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use words::{Language, Notice, Printed, Text};
+
+/// The study.
+pub const NAME: &str = "modes";
 
 /// Modes at a place.
 #[derive(Clone, Debug)]
@@ -45,8 +48,8 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
     let found = at_place(machine, study);
     let data = found.as_ref().map_or_else(|_| Dataset { partial: true, ..Dataset::default() }, dataset);
     let base = Results {
-        kind: "modes",
-        alone: Alone::Written { next: "run" },
+        kind: NAME,
+        alone: Alone::Written { next: Next::Run },
         heading: Say::Modes.text(),
         own: to_json(found.as_ref().ok()),
         data: provenance::stamp(data, &machine.equations, &machine.model_hash),
@@ -217,7 +220,7 @@ pub fn stability(modes: &Modes) -> Option<bool> {
 /// The fields of the study in JSON.
 fn to_json(found: Option<&Found>) -> Map<String, Value> {
     let mut own = Map::new();
-    own.insert("study".into(), json!("modes"));
+    own.insert("study".into(), json!(NAME));
     let Some(f) = found else {
         own.insert("modes".into(), json!([]));
         return own;

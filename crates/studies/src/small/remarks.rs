@@ -95,6 +95,7 @@ pub(super) fn foreign(name: &str, rate: f64) -> Text {
 
 /// Where the frequency of the load is a multiple of the parameter that sets it.
 pub(super) fn axis(parameter: &Quantity, multiple: Option<f64>) -> Option<Text> {
+    // a multiple that is 1 but for rounding is the parameter itself
     let multiple = multiple.filter(|k| parameter.unit == "rad/s" && (k - 1.0).abs() > 1e-12)?;
     let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::number::short(multiple, 6, language));
     let name = &parameter.name;

@@ -3,7 +3,7 @@
 use crate::machine::Machine;
 use crate::plan;
 use crate::provenance;
-use crate::results::{Alone, Body, Results};
+use crate::results::{Alone, Body, Next, Results};
 use crate::small::asked::Response as Study;
 use crate::small::load::{self, Meant};
 use crate::small::remarks::{
@@ -33,6 +33,9 @@ use std::sync::Arc;
 use symbolic::equations::{Applied, Role};
 use symbolic::{Equations, Expr, SymbolId};
 use words::{Notice, Printed, Text};
+
+/// The study.
+pub const NAME: &str = "response";
 
 /// Frequencies of an automatic grid.
 const POINTS: usize = 401;
@@ -125,8 +128,8 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
     let trouble = small.and_then(|small| sweep(machine, study, small, (&mut out, &mut data))).err().map(Notice::from);
     data.partial |= trouble.is_some();
     Results {
-        kind: "response",
-        alone: Alone::Written { next: "response" },
+        kind: NAME,
+        alone: Alone::Written { next: Next::Numbers },
         heading: Say::Response.text(),
         own: to_json(&out),
         data: provenance::stamp(data, &machine.equations, &machine.model_hash),
@@ -150,7 +153,8 @@ fn beyond(machine: &Machine, top: f64) -> Option<Audit> {
     Some(Audit::at_most("frame_modes", name, top / kept, STATIC))
 }
 
-#[expect(clippy::too_many_lines, reason = "what a response says, in the order of its page")]
+/// What a response says.
+#[expect(clippy::too_many_lines, reason = "in the order of its page")]
 fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut ResponseFound, &mut Dataset)) -> Result<(), Fault> {
     let names = small.machine.coordinates().to_vec();
     let matrices = small.machine.at(&small.place)?;
@@ -162,17 +166,12 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     out.load = load_name(study, &small, &source, parameter);
     let (quantities, formulas) = observed(study, &machine.equations);
     refuse_open(machine, &quantities)?;
-    let mut notes = timing_notes(small.machine.timing());
-    match super::bent::remark(&machine.model) {
-        Some(remark) => notes.push(remark),
-        None if small.machine.timing().bent => notes.push(bent_by_rates()),
-        None => {}
-    }
+    let mut notes = remarks(machine, &small);
     let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
     let load = (source.clone(), parameter);
-    let contacts = small.contacts.clone();
-    let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?.with_contacts(contacts);
+    let mut forced =
+        Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?.with_contacts(small.contacts.clone());
     let own = forced.own_frequency().filter(|w| *w > 0.0);
     let asked = grid(study, &found, own)?;
     forced.cover([asked[0], asked[asked.len() - 1]])?;
@@ -181,24 +180,9 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     out.main = forced.components().get(main).map_or(1.0, |c| c.order);
     refer(&mut forced, own, &omegas)?;
     let points = over(&mut forced, &omegas)?;
-    let doubt = points.iter().map(|p| p.doubt).fold(0.0, f64::max);
     out.shapes = over(&mut forced, &study.shapes)?;
     out.own = own.map(|w| forced.at(out.main * w)).transpose()?;
-    let real = forced.has_size();
-    // at the frequency of the file, or where nothing is to be said there, at the largest amplitude
-    let moves = |p: &&Point| p.coordinates.iter().any(|z| magnitude(*z) > 0.0) && p.coordinates.iter().all(|z| magnitude(*z).is_finite());
-    let size = |p: &&Point| p.coordinates.iter().map(|z| magnitude(*z)).fold(0.0, f64::max);
-    let largest = points.iter().filter(moves).max_by(|a, b| size(a).total_cmp(&size(b)));
-    let mut limit = Vec::new();
-    let mut curved = Vec::new();
-    for point in out.own.iter().filter(moves).chain(largest).filter(|_| real) {
-        if limit.is_empty() {
-            limit = forced.limits(point)?;
-        }
-        if curved.is_empty() {
-            curved = forced.curved(point)?;
-        }
-    }
+    let (limit, curved) = beyond_small(&mut forced, out, &points)?;
     notes.extend(swinging(&mut forced, &quantities, (own, &omegas))?);
     notes.extend(parameter.and_then(|p| axis(&parameters[p], forced.multiple())));
     *data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
@@ -208,7 +192,6 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     if let Some(value) = own_value {
         forced.restore(value)?;
     }
-    let from_sine = forced.from_sine();
     let branch = forced.branch().cloned();
     let places: Vec<Option<Vec<f64>>> = points.iter().map(|p| Some(p.place.clone())).collect();
     changes::add_columns(data, &places, &names);
@@ -218,38 +201,81 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     }
     data.notes.extend(cut(asked.len(), &omegas));
     data.notes.extend(found.notes.iter().cloned());
-    data.notes.push(reference(if from_sine { "sin" } else { "cos" }, if out.orders.is_empty() { "ωt" } else { "nωt" }));
-    data.notes.extend(doubtful(doubt));
+    data.notes.push(reference(if forced.from_sine() { "sin" } else { "cos" }, if out.orders.is_empty() { "ωt" } else { "nωt" }));
+    data.notes.extend(doubtful(points.iter().map(|p| p.doubt).fold(0.0, f64::max)));
     data.notes.extend(left_out(&forced.left_out));
     data.notes.extend(forced.timed().iter().map(|k| by_itself(&quantities[*k].name)));
     data.notes.extend(limit);
-    let top = omegas.iter().chain(&own).copied().fold(0.0, f64::max);
-    data.audits.extend(beyond(machine, out.main * top));
+    data.audits.extend(beyond(machine, out.main * omegas.iter().chain(&own).copied().fold(0.0, f64::max)));
     data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
     data.notes.extend(not_shown(study, &machine.equations));
     quantities.iter().for_each(|q| state(data, &q.name));
     if let Some(mut branch) = branch {
         data.notes.extend(growing(&mut small, &mut branch, &omegas)?);
     }
+    let rest = (&small.place, small.starts.as_slice());
+    let places = frequencies(out, &found, own, &omegas);
+    let along = (ends(&omegas), places.as_slice());
+    out.slack = strands::slack(&mut small.machine, rest, &pushes(machine), load.clone(), along)?;
+    out.slack.extend(strands::touched(&mut small.machine, rest, small.contacts.as_ref(), load, along));
+    data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
+    (out.coordinates, out.outputs, out.modes) = (names, quantities, Some(found));
+    Ok(())
+}
+
+/// What is to be said of the machine before any frequency.
+fn remarks(machine: &Machine, small: &Small) -> Vec<Text> {
+    let mut notes = timing_notes(small.machine.timing());
+    match super::bent::remark(&machine.model) {
+        Some(remark) => notes.push(remark),
+        None if small.machine.timing().bent => notes.push(bent_by_rates()),
+        None => {}
+    }
+    notes
+}
+
+/// Outputs, by number, with the share by which a motion bends them.
+type Curved = Vec<(usize, f64)>;
+
+/// Where oscillations are no small ones any more: limits that they pass, and outputs that they bend. At the frequency of the file, or where nothing is to be
+/// said there, at the largest amplitude.
+fn beyond_small(forced: &mut Forced, out: &ResponseFound, points: &[Point]) -> Result<(Vec<Text>, Curved), Fault> {
+    let real = forced.has_size();
+    let moves = |p: &&Point| p.coordinates.iter().any(|z| magnitude(*z) > 0.0) && p.coordinates.iter().all(|z| magnitude(*z).is_finite());
+    let size = |p: &&Point| p.coordinates.iter().map(|z| magnitude(*z)).fold(0.0, f64::max);
+    let largest = points.iter().filter(moves).max_by(|a, b| size(a).total_cmp(&size(b)));
+    let (mut limit, mut curved) = (Vec::new(), Vec::new());
+    for point in out.own.iter().filter(moves).chain(largest).filter(|_| real) {
+        if limit.is_empty() {
+            limit = forced.limits(point)?;
+        }
+        if curved.is_empty() {
+            curved = forced.curved(point)?;
+        }
+    }
+    Ok((limit, curved))
+}
+
+fn ends(omegas: &[f64]) -> [f64; 2] {
+    [omegas[0], omegas[omegas.len() - 1]]
+}
+
+/// Frequencies at which something may be largest: those asked for, that of the file, resonances and natural ones.
+fn frequencies(out: &ResponseFound, found: &Modes, own: Option<f64>, omegas: &[f64]) -> Vec<f64> {
     let peaks = out.resonances.iter().zip(&out.resonance_orders).map(|(r, order)| r.omega / order);
     let natural = found.modes.iter().map(|m| m.omega / out.main);
-    let places: Vec<f64> = omegas.iter().copied().chain(own).chain(peaks).chain(natural).collect();
+    omegas.iter().copied().chain(own).chain(peaks).chain(natural).collect()
+}
+
+/// What can only push.
+fn pushes(machine: &Machine) -> Vec<Watched> {
     let known = |push: &Push| machine.system.refusal(push.output).is_none();
     let pushes = plan::pushes(&machine.model, &machine.equations).into_iter().filter(known);
     let both_ways = |push: Push| {
         let formula = machine.equations.outputs[push.output].formula;
         Watched { name: push.name.clone(), formula, kind: strands::Kind::BothWays(push) }
     };
-    let pushes: Vec<Watched> = pushes.map(both_ways).collect();
-    let rest = (&small.place, small.starts.as_slice());
-    let along = ([omegas[0], omegas[omegas.len() - 1]], places.as_slice());
-    out.slack = strands::slack(&mut small.machine, rest, &pushes, load.clone(), along)?;
-    out.slack.extend(strands::touched(&mut small.machine, rest, small.contacts.as_ref(), load, along));
-    data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
-    out.coordinates = names;
-    out.outputs = quantities;
-    out.modes = Some(found);
-    Ok(())
+    pushes.map(both_ways).collect()
 }
 
 /// Outputs that follow the motion by factors that oscillate in time, or depend on time in other ways than the loads do: at the frequency of the file, or in the middle
@@ -569,6 +595,7 @@ fn grid(study: &Study, found: &Modes, own: Option<f64>) -> Result<Vec<f64>, Faul
     let mut list: Vec<f64> = (0..points).map(place).collect();
     if study.points.is_none() {
         for m in found.modes.iter().filter(|m| m.kind == Kind::Oscillation) {
+            // without damping a peak is drawn as wide as one of a thousandth
             let half = m.omega * m.ratio.abs().max(1e-3);
             list.extend(NEAR.iter().flat_map(|s| [m.damped - s * half, m.damped + s * half]));
         }
@@ -653,7 +680,7 @@ fn state(data: &mut Dataset, output: &str) {
 /// The fields of the study in JSON.
 fn to_json(found: &ResponseFound) -> Map<String, Value> {
     let mut own = Map::new();
-    own.insert("study".into(), json!("response"));
+    own.insert("study".into(), json!(NAME));
     own.insert("load".into(), json!(found.load.en));
     let name = |k: usize| found.outputs.get(k).map_or("", |q| q.name.as_str());
     let resonance = |(r, order): (&Resonance, &f64)| {

@@ -68,6 +68,7 @@ pub(super) enum Smooth {
 fn root<E>(mut low: f64, mut high: f64, sign: bool, f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<Root, E> {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
+        // some ten units of the last place: nothing more is to be halved
         if middle <= low || middle >= high || high - low <= 1e-14 * middle.abs() {
             break;
         }

@@ -120,6 +120,7 @@ pub(super) fn of_running(reduction: &Reduction, (start, speed): (f64, f64), care
 /// Whether the coefficients are the same a turn further.
 fn repeats(reduction: &Reduction, phi: f64) -> bool {
     let (here, there) = (reduction.at(phi), reduction.at(phi + TAU));
+    // a turn further angles are rounded; coefficients of another period differ by their size
     here.iter().zip(&there).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
 }
 

@@ -96,6 +96,7 @@ pub fn levels(model: &Model, structure: &Structure, count: usize) -> Vec<Level> 
     let mut out: Vec<Level> = Vec::new();
     for assumed in LEVELS {
         let Some(omega) = frequencies(model, structure, assumed, count) else { continue };
+        // the same numbers by another order of sums
         let same = |l: &Level| l.omega.len() == omega.len() && l.omega.iter().zip(&omega).all(|(a, b)| (a - b).abs() <= 1e-14 * b);
         if !out.iter().any(same) {
             out.push(Level { key: assumed.key, words: Text::new(assumed.en, assumed.ru), omega });

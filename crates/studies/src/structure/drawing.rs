@@ -183,6 +183,7 @@ fn values(frame: &Frame<f64>, diagrams: &[Vec<Station<f64>>], diagram: &Diagram,
     }
     for (rod, d) in frame.rods.iter().zip(diagrams).filter(|(_, d)| !d.is_empty()) {
         let v = |i: usize| (diagram.value)(&d[i]);
+        // six digits: no figure tells more apart
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-6 * top;
         let largest = (0..d.len()).max_by(|i, j| v(*i).abs().total_cmp(&v(*j).abs()).then(j.cmp(i))).unwrap_or(0);
         let mut shown = match d.iter().all(|s| same((diagram.value)(s), v(0))) {

@@ -12,7 +12,7 @@ mod terms;
 use crate::machine::Machine;
 use crate::provenance;
 use crate::results::finite::checked;
-use crate::results::{Alone, Body, Results, Show, View};
+use crate::results::{Alone, Body, Next, Results, Show, View};
 use analysis::Dataset;
 use mechanics::Model;
 use mechanics::structure::Structure;
@@ -43,7 +43,7 @@ pub fn modes(machine: &Machine, study: &crate::small::asked::Modes) -> Option<Re
         Some(key) => Err(Box::new(one_value(key))),
         None => modes::find(&machine.model, structure, study).map(|found| Outcome::Modes(Box::new(found))),
     };
-    Some(finding(machine, "modes", found))
+    Some(finding(machine, modes::NAME, found))
 }
 
 /// A wish that has no meaning for a structure alone.
@@ -71,14 +71,14 @@ fn one_value(key: &str) -> Notice {
 /// Statics of the structure; none when the model has none.
 pub fn statics(machine: &Machine) -> Option<Results> {
     let structure = of(&machine.model)?;
-    Some(finding(machine, "statics", statics::find(machine, structure).map(|found| Outcome::Statics(Box::new(found)))))
+    Some(finding(machine, statics::NAME, statics::find(machine, structure).map(|found| Outcome::Statics(Box::new(found)))))
 }
 
 fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<Notice>>) -> Results {
     let data = outcome.as_ref().map_or_else(|_| Dataset { partial: true, ..Dataset::default() }, |outcome| outcome.data().clone());
     let base = Results {
         kind: study,
-        alone: Alone::Written { next: "run" },
+        alone: Alone::Written { next: Next::Run },
         heading: heading(study),
         own: fields(study, outcome.as_ref().ok()),
         data: provenance::stamp(data, &machine.equations, &machine.model_hash),
@@ -107,7 +107,7 @@ fn fields(study: &'static str, outcome: Option<&Outcome>) -> Map<String, Value> 
         None => Map::new(),
     };
     own.insert("study".into(), json!(study));
-    if study == "modes" {
+    if study == modes::NAME {
         own.entry("modes").or_insert_with(|| json!([]));
     }
     own
@@ -134,7 +134,7 @@ impl Show for Outcome {
 /// What the study is called.
 fn heading(study: &str) -> Text {
     match study {
-        "statics" => Text::new("Statics", "Статика"),
+        statics::NAME => Text::new("Statics", "Статика"),
         _ => Text::new("Natural oscillations", "Собственные колебания"),
     }
 }

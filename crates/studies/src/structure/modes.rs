@@ -5,6 +5,7 @@ use super::equation;
 use super::rayleigh::Reduced as Reduction;
 use crate::frame::bind::{Bound, Factor, Numbers, bind};
 use crate::small::asked::{Modes as Study, Scale};
+pub use crate::small::modes::NAME;
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
 use mechanics::model;
@@ -85,7 +86,7 @@ pub fn fields(found: &Found) -> Map<String, Value> {
         json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "omega_d": m.omega, "kind": "oscillation",
             "shape": shape, "residual": m.residual, "modes_below": m.below})
     };
-    own.insert("study".into(), json!("modes"));
+    own.insert("study".into(), json!(NAME));
     own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());
     own.insert("modes".into(), result.modes.iter().map(mode).collect());
     if let Some(exact) = &result.continuum {

@@ -201,6 +201,7 @@ fn reactions(found: &StaticsFound, language: Language) -> Table {
 
 /// Zero where only rounding of the terms is left.
 fn settled(v: f64, size: f64) -> f64 {
+    // a frame of some hundred rods is solved to thirteen digits
     if v.abs() <= 1e-12 * size { 0.0 } else { v }
 }
 
@@ -313,6 +314,7 @@ fn sections(found: &StaticsFound, language: Language) -> Vec<Block> {
                     .frame
                     .nodes
                     .iter()
+                    // places computed along rods are rounded
                     .find(|n| algebra::elementary::hypot(n.at[0] - x, n.at[1] - y) < 1e-9 * (1.0 + algebra::elementary::hypot(x, y)));
                 let place = node.map_or_else(|| format!("({}, {})", number(x, language), number(y, language)), |n| n.name.clone());
                 language.pick(format!("moments about {place}"), format!("моменты относительно {place}"))

@@ -10,6 +10,9 @@ use serde_json::{Map, Value, json};
 use structures::statics::Station;
 use words::{Notice, Text};
 
+/// The study.
+pub const NAME: &str = "statics";
+
 /// What was found, with the numbers it was found from.
 #[derive(Clone, Debug)]
 pub struct Found {

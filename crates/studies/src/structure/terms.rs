@@ -28,6 +28,7 @@ pub fn equation(terms: &[Term], language: Language) -> String {
             (false, true) => " − ",
             (false, false) => " + ",
         });
+        // a component of a unit vector along an axis is rounded
         let one = (size - 1.0).abs() < 1e-12 && !name.is_empty();
         if !one {
             out.push_str(&number(size, language));

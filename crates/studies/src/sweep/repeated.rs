@@ -4,7 +4,7 @@ use crate::machine::Machine;
 use crate::machine::bind::Binding;
 use crate::periodic::{self, Periodic, in_words};
 use crate::watch::Watch;
-use crate::{Given, Results, idle};
+use crate::{Finds, Given, Results, idle};
 use mechanics::asked::{Asked, Value as Taken};
 use words::{Notice, Text};
 
@@ -39,7 +39,7 @@ pub(super) fn one(
     // what is tuned is not the machine of the next place
     let mut own = base.has("wanted_period").then(|| machine.clone());
     let machine = own.as_mut().unwrap_or(machine);
-    let study = (base.kind == "periodic").then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
+    let study = (base.kind == periodic::KIND.name).then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
     let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
     if let (Some(study), Some(x)) = (&study, guess.as_ref()) {
         // the regime before is the better guess; when it leads nowhere, the file's start is tried
@@ -85,7 +85,9 @@ pub(super) fn changed(machine: &Machine, kind: &str, of_file: Option<Asked>, inn
 /// Lets a study give these columns only, and draw nothing.
 pub(super) fn observing(machine: &Machine, asked: &mut Asked, columns: Vec<String>) {
     let kind = machine.origin.studies.find(asked.kind).map(|study| study.kind());
-    if kind.is_some_and(|kind| kind.key("outputs").is_some() && kind.key("tolerance").is_some() && asked.kind != "transient") {
+    if kind.is_some_and(|kind| {
+        kind.key("outputs").is_some() && kind.key("tolerance").is_some() && machine.origin.studies.finds(asked.kind) != Finds::ClosedForm
+    }) {
         asked.set("outputs", Taken::Words(columns));
         asked.unset("plot");
     }

@@ -131,6 +131,7 @@ fn other_unit(label: &str, answer: &AnswerDecl) -> Option<f64> {
     // periods and radians are another slip
     let counts = own.dimension.counts_periods() != unit.dimension.counts_periods();
     let factor = own.factor / unit.factor.to_f64();
+    // the same unit under another name differs by rounding
     let fits = unit.dimension.same(&own.dimension) && !counts && !own.dimension.is_angular() && (factor - 1.0).abs() > 1e-9;
     (fits && scale(&mechanics::units::si_label(&own.dimension), own).is_ok()).then_some(factor)
 }

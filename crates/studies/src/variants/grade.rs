@@ -119,6 +119,7 @@ pub fn verdict(answer: &AnswerDecl, truth: Option<(f64, f64)>, written: &Written
         (Written::Number { value, .. }, Some(right)) if within(*value, right, answer) => Verdict::Right,
         // one digit alone says too little
         (Written::Number { value, half }, Some((truth, _)))
+            // half a digit is half a digit: its decimal form is rounded
             if (value - truth).abs() <= (half * (1.0 + 1e-9)).min(COARSE * truth.abs()) && *value != 0.0 =>
         {
             Verdict::Rounded
@@ -258,8 +259,9 @@ fn still(class: &mut Class, answer: &AnswerDecl, member: &Member) -> Option<f64>
         Wanted::At(column, ..) => column,
         Wanted::Instant(_) => return None,
     };
-    let study = machine.origin.studies.find("equilibrium")?;
-    let found = study.run(machine, &Asked::new("equilibrium"), &mut Watch::default()).filter(|r| r.trouble.is_none())?;
+    let kind = crate::equilibrium::KIND.name;
+    let study = machine.origin.studies.find(kind)?;
+    let found = study.run(machine, &Asked::new(kind), &mut Watch::default()).filter(|r| r.trouble.is_none())?;
     let value = *found.data.column(&column)?.values.first()?;
     (value.is_finite() && value != 0.0).then(|| value / answer.unit.factor)
 }

@@ -20,10 +20,10 @@ pub fn broken(machine: &Machine, solved: &Solved) -> Vec<(String, String)> {
 
 /// A load near resonance: its frequency and the natural one, rad/s. Machines without harmonic load have none.
 pub fn near_resonance(machine: &mut Machine, solved: &Solved) -> Option<[f64; 2]> {
-    let found = match solved.results.iter().find(|r| r.kind == "response") {
+    let found = match solved.results.iter().find(|r| r.kind == crate::response::KIND.name) {
         Some(found) => found.clone(),
         None => {
-            let study = machine.origin.studies.find("response")?;
+            let study = machine.origin.studies.find(crate::response::KIND.name)?;
             study.run(machine, &Asked::new(study.kind().name), &mut Watch::default()).filter(|r| r.trouble.is_none())?
         }
     };

@@ -4,6 +4,7 @@ use super::guards::allowed;
 use super::key::{Entry, Key};
 use mechanics::Model;
 use mechanics::model::AnswerDecl;
+use report::escape::xml;
 use std::fmt::Write;
 use words::Language;
 
@@ -70,22 +71,6 @@ pub fn gift((key, given): (&Key, &[String]), model: &Model, language: Language) 
         let text = question(entry, (answer, given), language);
         let name = escaped(&format!("{}-{}", entry.member.name, answer.id));
         let _ = writeln!(out, "\n::{name}::{} {{#{}:{}}}", escaped(&text), right.0, allowed(answer, right));
-    }
-    out
-}
-
-fn xml(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            // XML has no other control characters
-            c if c.is_control() && !"\n\t".contains(c) => out.push(' '),
-            c => out.push(c),
-        }
     }
     out
 }

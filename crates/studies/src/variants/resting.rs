@@ -7,7 +7,7 @@ use serde_json::Value;
 
 /// The SI unit of a number of `statics` by its path: `forces.AB`, `reactions.A.y`, `rods.AB.M.2`, `nodes.C.turn`, `displacements.u1`.
 pub fn unit(results: &Results, path: &str, displacement: &dyn Fn(&str) -> Option<String>) -> Option<String> {
-    if results.kind != "statics" {
+    if results.kind != crate::statics::KIND.name {
         return None;
     }
     let mut steps = path.split('.');

@@ -2,6 +2,7 @@
 
 use super::grade::{Graded, Verdict};
 use super::key::{Entry, Key};
+use crate::Finds;
 use crate::calculation::Calculation;
 use crate::machine::Machine;
 use crate::provenance::VERSION;
@@ -135,7 +136,8 @@ fn quantities(machine: &Machine, language: Language) -> Vec<Datum> {
 /// The start (0) or the rate at the start (1) that the file gives a motion, as a quantity.
 fn stands(machine: &Machine, c: &CoordinateDecl, order: usize) -> Option<String> {
     let model = &machine.model;
-    let moves = model.studies.iter().any(|s| matches!(s.kind, "simulate" | "transient" | "poincare"));
+    let moves =
+        model.studies.iter().any(|s| matches!(machine.origin.studies.finds(s.kind), Finds::Motion | Finds::ClosedForm | Finds::Points));
     // what is not given is zero where no connection decides it
     let decided = c.given[order] || (machine.equations.conditions.is_empty() && !c.guessed[order]);
     if !moves || !decided {

@@ -189,7 +189,7 @@ impl Finder<'_, '_> {
 
     /// The motion that is meant, with its place among the results.
     fn motion(&self, answer: &AnswerDecl, of: Option<&str>) -> Result<&Results, Notice> {
-        let moves = |r: &&Results| of.map_or(r.kind == "simulate", |of| r.kind == of);
+        let moves = |r: &&Results| of.map_or(r.kind == crate::simulate::KIND.name, |of| r.kind == of);
         let found = self
             .results
             .iter()
@@ -244,7 +244,7 @@ impl Finder<'_, '_> {
 
     /// The motion once more, with a row at the instant.
     fn value_at(&mut self, column: &str, t: f64) -> Option<f64> {
-        let asked = self.machine.model.studies.iter().find(|s| s.kind == "simulate")?.clone();
+        let asked = self.machine.model.studies.iter().find(|s| s.kind == crate::simulate::KIND.name)?.clone();
         if asked.number("until").is_some_and(|until| t > until) {
             return None;
         }

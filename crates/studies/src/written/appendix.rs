@@ -2,6 +2,7 @@
 
 use super::pen::Pen;
 use super::work::Work;
+use crate::Finds;
 use crate::results::Results;
 use report::document::Rich;
 use report::table::Column;
@@ -43,7 +44,7 @@ const DIGITS: usize = 5;
 
 /// Values of motions row by row: the plotted quantities, or the named ones.
 pub(super) fn tables(work: &Work, pen: &mut Pen) {
-    for results in work.calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse" | "transient")) {
+    for results in work.results_that(|finds| matches!(finds, Finds::Motion | Finds::Drives | Finds::ClosedForm)) {
         let Some((axis, columns)) = columns(work, results) else { continue };
         let data = &results.data;
         let rows = thinned(data.columns[axis].values.len());

@@ -37,6 +37,7 @@ pub(super) fn units(unit: &str) -> [&'static str; 3] {
 /// A letter for a quantity of this chapter: another one where the file uses it for something else.
 pub(super) fn free(work: &Work, letter: &str, value: f64) -> String {
     let wanted = work.printer.shown(letter);
+    // a value that is another one of the file to nine digits is that one
     let same = |x: f64| (x - value).abs() <= 1e-9 * value.abs();
     let number = |symbol: SymbolId| work.equations.parameters.iter().find(|p| p.symbol == symbol).map(|p| p.value);
     let named = |name: &str| work.printer.shown(name) == wanted;

@@ -9,6 +9,7 @@
 use super::pen::{Coefficients, Pen, inline, words};
 use super::quantity::{chain, with_unit};
 use super::work::Work;
+use crate::Finds;
 use report::Block;
 use report::document::Rich;
 use report::figure::{Axis, Figure, Kind, Mark, Pen as Line, Series};
@@ -33,7 +34,7 @@ pub(super) fn peak(zeta: f64) -> Option<(f64, f64)> {
 }
 
 pub(super) fn write(work: &Work, found: &Coefficients, pen: &mut Pen) {
-    let responses = work.model.studies.iter().any(|s| s.kind == "response");
+    let responses = work.model.studies.iter().any(|s| work.finds(s.kind) == Finds::Amplitudes);
     let oscillates = found.a > 0.0 && found.c > 0.0 && found.b >= 0.0;
     if !(responses && oscillates) {
         return;

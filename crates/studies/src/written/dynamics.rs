@@ -2,17 +2,18 @@
 
 use super::facts::Moves;
 use super::kinematics::definitions;
-use super::pen::capital;
 use super::pen::{Pen, inline, words};
 use super::quantity::fitted;
 use super::wording::Word;
 use super::work::Work;
+use crate::shown::{Role, role};
 use mechanics::model::{ConnectionKind, Depth, Frame, Inertia};
 use report::document::{Inline, Rich};
 use report::formula::{Layout, Relation, Sign};
 use symbolic::connections::{Law, Reaction, Rebound};
 use symbolic::equations::{Equality, Part, Step, StepFormula, StepName};
 use symbolic::{Expr, Node};
+use words::capital;
 
 /// Derivatives that vanish and are still named one by one.
 const FEW: usize = 6;
@@ -54,15 +55,17 @@ impl Work<'_> {
             return (i + 1).to_string();
         }
         // springs and dampers may have one name
-        let own: &[&str] = if letter == "Φ" { &["dampers", "dissipations"] } else { &["springs", "torsion_bars", "potentials"] };
+        let own = if letter == "Φ" { Part::Dissipation } else { Part::Potential };
         let named = || self.model.elements.iter().filter(|e| e.name == name);
-        let Some(element) = named().find(|e| own.contains(&e.table)).or_else(|| named().next()) else { return name.to_owned() };
+        let Some(element) = named().find(|e| super::facts::part_of(role(e.table)) == Some(own)).or_else(|| named().next()) else {
+            return name.to_owned();
+        };
         let alike: Vec<_> = self.model.elements.iter().filter(|e| e.table == element.table).collect();
         let place = alike.iter().position(|e| e.name == name).map_or(0, |i| i + 1);
         let number = if alike.len() > 1 { place.to_string() } else { String::new() };
-        match element.table {
-            "springs" | "torsion_bars" => format!("{}{number}", self.language.pick("s", "п")),
-            "dampers" | "dissipations" => format!("{}{number}", self.language.pick("d", "д")),
+        match role(element.table) {
+            Role::Spring => format!("{}{number}", self.language.pick("s", "п")),
+            Role::Damper | Role::Dissipation => format!("{}{number}", self.language.pick("d", "д")),
             _ => format!("{}{place}", self.language.pick("e", "э")),
         }
     }
@@ -160,7 +163,7 @@ fn energy(work: &Work, part: Part, pen: &mut Pen) {
 /// What the potential energy of this machine is made of.
 fn potential(work: &Work) -> &'static str {
     let model = work.model;
-    let springs = model.elements.iter().any(|e| matches!(e.table, "springs" | "torsion_bars"));
+    let springs = model.elements.iter().any(|e| role(e.table) == Role::Spring);
     let weight = model.gravity.is_some() && model.frames.iter().any(|f| f.is_body && f.mass.is_some());
     let framed = model.structure.is_some();
     match (weight, springs, framed) {

@@ -3,6 +3,7 @@
 use super::pen::{inline, words};
 use super::wording::Word;
 use super::work::Work;
+use crate::shown::{Role, role};
 use mechanics::model::{Connection, ConnectionKind, Element, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Slides, SupportDirection};
 use report::document::Rich;
 use report::formula::{Layout, Relation};
@@ -29,6 +30,15 @@ pub(super) enum Moves {
 /// Whether a body has a mass and no moment of inertia.
 fn is_point(frame: &Frame) -> bool {
     frame.mass.as_ref().is_some_and(|m| matches!(m.inertia, Inertia::None))
+}
+
+/// The energy that an element is a part of; none of loads.
+pub(super) fn part_of(role: Role) -> Option<Part> {
+    match role {
+        Role::Spring | Role::Energy => Some(Part::Potential),
+        Role::Damper | Role::Dissipation => Some(Part::Dissipation),
+        _ => None,
+    }
 }
 
 impl Work<'_> {
@@ -187,13 +197,8 @@ impl Work<'_> {
     fn wheels(&self, connection: &Connection, between: &[FrameId; 2]) -> String {
         let opposite = matches!(connection.kind, ConnectionKind::Wheels { opposite: true, .. });
         let (a, b) = (self.body(between[0]), self.body(between[1]));
-        let (en, ru) = match (connection.table, opposite) {
-            ("belts", false) => ("open belt", "открытая ремённая передача"),
-            ("belts", true) => ("crossed belt", "перекрёстная ремённая передача"),
-            ("chains", _) => ("chain", "цепная передача"),
-            (_, false) => ("internal gears", "внутреннее зубчатое зацепление"),
-            (_, true) => ("gears", "внешнее зубчатое зацепление"),
-        };
+        let called = |row: &crate::shown::Shown| if opposite { row.opposite } else { row.called };
+        let (en, ru) = crate::shown::find(connection.table).map_or(("", ""), called);
         self.language.pick(format!("{en}: {a}, {b}"), format!("{ru}: {a}, {b}"))
     }
 
@@ -246,12 +251,13 @@ impl Work<'_> {
         // the energy of a frame is no element of the file
         let framed = self.model.structure.is_some();
         let mut told = String::new();
-        for (_, element) in self.model.acting().into_iter().filter(|(_, e)| !(framed && e.table == "potentials" && e.span.is_empty())) {
+        for (_, element) in self.model.acting().into_iter().filter(|(_, e)| !(framed && role(e.table) == Role::Energy && e.span.is_empty()))
+        {
             // a load in several parts is one load of the file
             if std::mem::replace(&mut told, element.path.clone()) == element.path {
                 continue;
             }
-            let name = super::pen::capital(&self.element_name(element));
+            let name = words::capital(&self.element_name(element));
             table.row(vec![Cell::words(name), Cell::Rich(Rich(self.law(element)))]);
         }
         (!table.rows.is_empty()).then_some(table)
@@ -260,11 +266,7 @@ impl Work<'_> {
     /// Π or Φ of an element as the derivation has it, or the power of its load.
     fn law(&self, element: &Element) -> Vec<report::document::Inline> {
         let graph = &self.equations.graph;
-        let part = match element.table {
-            "springs" | "torsion_bars" | "potentials" => Some(Part::Potential),
-            "dampers" | "dissipations" => Some(Part::Dissipation),
-            _ => None,
-        };
+        let part = part_of(role(element.table));
         if let Some(step) = self.equations.steps.iter().find(|step| Some(step.part) == part) {
             let single = step.formulas.len() == 1;
             let own = step

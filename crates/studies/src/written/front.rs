@@ -1,10 +1,10 @@
 //! The title page.
 
-use super::pen::capital;
 use super::work::Work;
 use mechanics::model::Front;
 use report::Block;
 use words::Text;
+use words::capital;
 
 /// The page of what the file gives; lines to write on for who made and who checks it.
 pub(super) fn page(work: &Work, front: &Front) -> Block {

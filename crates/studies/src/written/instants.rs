@@ -2,6 +2,7 @@
 
 use super::pen::Pen;
 use super::work::Work;
+use crate::Finds;
 use crate::results::Results;
 use crate::simulate::{Simulate, motion};
 use crate::watch::Watch;
@@ -17,7 +18,7 @@ const MOST: usize = 2;
 
 /// Values of every named quantity where an acceleration of the motion is greatest in size.
 pub(super) fn of_motion(work: &Work, results: &Results, pen: &mut Pen) {
-    if results.kind != "simulate" || results.trouble.is_some() {
+    if work.finds(results.kind) != Finds::Motion || results.trouble.is_some() {
         return;
     }
     for (name, t) in accelerations(work, results) {
@@ -53,7 +54,7 @@ fn accelerations(work: &Work, results: &Results) -> Vec<(String, f64)> {
 fn at(work: &Work, results: &Results, name: &str, t: f64) -> Option<Table> {
     let until = results.own.get("until").and_then(serde_json::Value::as_f64)?;
     let tolerance = results.own.get("tolerance").and_then(serde_json::Value::as_f64).unwrap_or(crate::simulate::TOLERANCE);
-    let study = work.model.studies.iter().find(|s| s.kind == "simulate")?;
+    let study = work.model.studies.iter().find(|s| work.finds(s.kind) == Finds::Motion)?;
     let mut study = Simulate { until: until.min(t), times: Times::At(vec![t]), tolerance, ..Simulate::of(study) };
     study.outputs = results.data.columns.iter().map(|c| c.quantity.name.clone()).filter(|n| n != "t").collect();
     let mut machine = work.calculation.machine.clone();

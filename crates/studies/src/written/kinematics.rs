@@ -1,6 +1,6 @@
 //! Chapter 2: degrees of freedom, coordinates, what the connections demand.
 
-use super::pen::{Pen, capital, inline, words};
+use super::pen::{Pen, inline, words};
 use super::wording::Word;
 use super::work::Work;
 use mechanics::model::Class;
@@ -9,6 +9,7 @@ use report::formula::{Bracket, Layout, Relation, Sign};
 use report::table::Column;
 use report::{Cell, Table};
 use words::Language;
+use words::capital;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     if !work.equations.coordinates.is_empty() {

@@ -4,16 +4,20 @@ use super::coefficients::{form, free, only_load, units};
 use super::pen::{Coefficients, Pen, inline, words};
 use super::quantity::{chain, line_at, with_unit};
 use super::work::Work;
+use crate::Finds;
 use crate::small::formulas;
 use report::document::Inline;
 use report::formula::{Layout, Relation, Sign};
 use symbolic::{Linear, Matrix, SymbolId};
 
+/// n and k closer than this share are equal: data with a few digits mean the critical case.
+const CRITICAL: f64 = 1e-9;
+
 /// More coordinates than this are not written out.
 const LARGEST: usize = 4;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) -> Option<Coefficients> {
-    let study = work.model.studies.iter().find(|s| matches!(s.kind, "modes" | "response" | "transient"));
+    let study = work.model.studies.iter().find(|s| matches!(work.finds(s.kind), Finds::Shapes | Finds::Amplitudes | Finds::ClosedForm));
     let study = study.filter(|_| work.model.structure.is_none())?;
     let n = work.equations.coordinates.len();
     if n == 0 || study.word("about").is_some() {
@@ -102,7 +106,7 @@ fn after(work: &Work, found: &Coefficients, pen: &mut Pen) {
         damping(work, [a, b, n], pen);
     }
     frequency(work, [a, c, k], pen);
-    let decays = b > 0.0 && n < k && (n - k).abs() > 1e-9 * k;
+    let decays = b > 0.0 && n < k && (n - k).abs() > CRITICAL * k;
     pen.tell(case(work, [b, n, k]));
     if decays {
         decaying(work, (n, k), pen);
@@ -123,7 +127,7 @@ fn case(work: &Work, [b, n, k]: [f64; 3]) -> Vec<Inline> {
             );
             vec![lead, inline(other.clone()), words(".")]
         }
-        () if (n - k).abs() <= 1e-9 * k => vec![
+        () if (n - k).abs() <= CRITICAL * k => vec![
             compared(Relation::Equal),
             told(
                 ": the damping is critical, the free motion does not oscillate.",

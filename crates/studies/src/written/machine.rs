@@ -94,6 +94,7 @@ fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
     pen.numbered(chain(&printer, vec![moment.clone(), printer.layout(graph, reduced.moment)]));
     pen.say(work.language.pick("The equation of the machine is", "Уравнение движения машины"));
     pen.numbered(printer.block(equation(work, reduced, moment)));
+    // nothing is closer than the last digit
     let worst = report::number::short(worst.max(1e-16), 2, work.language);
     pen.say(work.language.pick(
         format!(

@@ -36,9 +36,8 @@ use wording::Word;
 use words::Language;
 use work::Work;
 
-/// A chapter: its name in `[report]`, its title, how it is counted, what makes it.
+/// A chapter: its title, from which its name in `[report]` follows, how it is counted, what makes it.
 struct Chapter {
-    name: &'static str,
     title: Word,
     count: Count,
     make: fn(&Work, &mut Pen),
@@ -46,26 +45,26 @@ struct Chapter {
 
 /// The outline, in order.
 const CHAPTERS: &[Chapter] = &[
-    Chapter { name: "statement", title: Word::Statement, count: Count::Number, make: statement::write },
-    Chapter { name: "sections", title: Word::Sections, count: Count::Number, make: studied::sections },
-    Chapter { name: "kinematics", title: Word::Kinematics, count: Count::Number, make: kinematics::write },
-    Chapter { name: "equations", title: Word::Dynamics, count: Count::Number, make: dynamics::write },
-    Chapter { name: "free", title: Word::Free, count: Count::Number, make: studied::free },
-    Chapter { name: "forced", title: Word::Forced, count: Count::Number, make: studied::forced },
-    Chapter { name: "motion", title: Word::Motion, count: Count::Number, make: studied::motion },
-    Chapter { name: "reactions", title: Word::Reactions, count: Count::Number, make: reactions::write },
-    Chapter { name: "regime", title: Word::Regime, count: Count::Number, make: studied::regime },
-    Chapter { name: "verification", title: Word::Verification, count: Count::Number, make: verification::write },
-    Chapter { name: "conclusions", title: Word::Conclusions, count: Count::None, make: conclusions::write },
-    Chapter { name: "sources", title: Word::Sources, count: Count::None, make: appendix::sources },
-    Chapter { name: "model", title: Word::ModelText, count: Count::Letter, make: appendix::model },
-    Chapter { name: "tables", title: Word::Tables, count: Count::Letter, make: appendix::tables },
+    Chapter { title: Word::Statement, count: Count::Number, make: statement::write },
+    Chapter { title: Word::Sections, count: Count::Number, make: studied::sections },
+    Chapter { title: Word::Kinematics, count: Count::Number, make: kinematics::write },
+    Chapter { title: Word::Dynamics, count: Count::Number, make: dynamics::write },
+    Chapter { title: Word::Free, count: Count::Number, make: studied::free },
+    Chapter { title: Word::Forced, count: Count::Number, make: studied::forced },
+    Chapter { title: Word::Motion, count: Count::Number, make: studied::motion },
+    Chapter { title: Word::Reactions, count: Count::Number, make: reactions::write },
+    Chapter { title: Word::Regime, count: Count::Number, make: studied::regime },
+    Chapter { title: Word::Verification, count: Count::Number, make: verification::write },
+    Chapter { title: Word::Conclusions, count: Count::None, make: conclusions::write },
+    Chapter { title: Word::Sources, count: Count::None, make: appendix::sources },
+    Chapter { title: Word::ModelText, count: Count::Letter, make: appendix::model },
+    Chapter { title: Word::Tables, count: Count::Letter, make: appendix::tables },
 ];
 
 /// Whether the file asks for a chapter; a short calculation has no appendix unless it is asked for.
 fn is_wanted(report: &mechanics::model::Report, chapter: &Chapter) -> bool {
     match &report.parts {
-        Some(parts) => parts.iter().any(|part| part == chapter.name),
+        Some(parts) => parts.iter().any(|part| *part == chapter.title.chapter()),
         None => report.depth == Depth::Full || chapter.count != Count::Letter,
     }
 }
@@ -110,17 +109,16 @@ mod tests {
 
     #[test]
     fn chapters_have_the_names_of_the_reference() {
-        let names: Vec<&str> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
+        let names: Vec<&str> = CHAPTERS.iter().map(|chapter| chapter.title.chapter()).collect();
         assert_eq!(names, mechanics::fields::PARTS);
     }
 
     #[test]
     fn every_study_has_its_chapter_and_a_sentence_of_what_is_wanted() {
         for study in crate::TABLE {
-            let (en, ru) = statement::asks(study.kind().name);
+            let (en, ru) = study.wanted();
             assert!(!en.is_empty() && ru.chars().any(|c| ('а'..='я').contains(&c)), "{}", study.kind().name);
-            let chapter = work::chapter_of(study.kind().name);
-            assert!(CHAPTERS.iter().any(|c| c.title == chapter), "{}", study.kind().name);
+            assert!(CHAPTERS.iter().any(|c| c.title.chapter() == study.chapter()), "{}", study.kind().name);
         }
     }
 }

@@ -3,20 +3,6 @@
 use super::work::Work;
 use mechanics::model::{Connection, Element, Frame, FrameId, PointRef};
 
-/// What an element is, one of them.
-fn kind(table: &str) -> (&'static str, &'static str) {
-    match table {
-        "springs" => ("spring", "пружина"),
-        "dampers" => ("damper", "демпфер"),
-        "torsion_bars" => ("torsion bar", "торсион"),
-        "forces" => ("force", "сила"),
-        "torques" => ("moment", "момент"),
-        "distributed" => ("distributed load", "распределённая нагрузка"),
-        "dissipations" => ("damping", "сопротивление"),
-        _ => ("potential", "потенциальная сила"),
-    }
-}
-
 impl Work<'_> {
     /// "spring 2", or what the file calls it.
     pub(super) fn element_name(&self, element: &Element) -> String {
@@ -26,7 +12,7 @@ impl Work<'_> {
         }
         let table = element.path.split('.').next().unwrap_or(element.table);
         let alike: Vec<&str> = self.alike(table);
-        let (en, ru) = kind(table);
+        let (en, ru) = crate::shown::find(table).map_or(("", ""), |row| row.called);
         let kind = self.language.pick(en, ru);
         match alike.iter().position(|path| *path == element.path) {
             Some(at) if alike.len() > 1 => format!("{kind} {}", at + 1),

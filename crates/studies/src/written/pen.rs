@@ -6,6 +6,7 @@ use report::formula::Layout;
 use report::table::Column;
 use report::{Block, Cell, Table};
 use words::Language;
+use words::capital;
 
 /// Columns beyond which a table of few rows is turned.
 const WIDEST: usize = 10;
@@ -262,12 +263,6 @@ fn titled(table: &Table, caption: &str, language: Language) -> String {
         return format!("{} {letter}", capital(what));
     }
     if head.chars().count() < 4 { caption.to_owned() } else { format!("{caption}: {}", lowered(&head)) }
-}
-
-/// The first letter large.
-pub(super) fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
 }
 
 /// The first letter small, unless the word is a symbol or an abbreviation.

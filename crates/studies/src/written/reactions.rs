@@ -1,13 +1,14 @@
 //! Chapter 7: reactions and internal forces, their extremes with the instants, both sides of every switch.
 
 use super::pen::Pen;
-use super::pen::capital;
 use super::wording::Word;
 use super::work::Work;
+use crate::Finds;
 use crate::results::Results;
 use report::table::Column;
 use report::{Block, Cell, Table};
 use symbolic::equations::Output;
+use words::capital;
 
 /// Significant digits.
 const DIGITS: usize = 6;
@@ -20,12 +21,12 @@ const MOST: usize = 12;
 const FREE_BODIES: usize = 6;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
-    let rests = work.results_of(Word::Reactions).any(|r| r.kind == "statics") && !work.equations.reactions.is_empty();
+    let rests = work.results_of(Word::Reactions).any(|r| r.kind == crate::statics::KIND.name) && !work.equations.reactions.is_empty();
     if rests || !reactions(work).is_empty() {
         pen.released(free_bodies(work));
     }
     super::studied::told(work, Word::Reactions, pen);
-    let motions: Vec<&Results> = work.calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse")).collect();
+    let motions: Vec<&Results> = work.results_that(|finds| matches!(finds, Finds::Motion | Finds::Drives)).collect();
     if let ([only], None) = (&motions[..], work.results_of(Word::Reactions).next()) {
         return of_motion(work, only, pen);
     }
@@ -112,6 +113,7 @@ fn jumps(work: &Work, results: &Results, columns: &[(usize, &Output)], pen: &mut
         let sides = |e: &&&analysis::dataset::Event| place(i).map(|k| [e.outputs[0].get(k).copied(), e.outputs[1].get(k).copied()]);
         jumping.iter().filter_map(|e| sides(&e)).any(|[a, b]| {
             let (a, b) = (a.unwrap_or(f64::NAN), b.unwrap_or(f64::NAN));
+            // both sides are of one event and its rounding
             (a - b).abs() > 1e-9 * a.abs().max(b.abs())
         })
     };

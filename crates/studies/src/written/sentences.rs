@@ -146,7 +146,7 @@ fn sentence(mut rich: Rich, language: Language) -> Rich {
         let letter = |c: char| c.is_lowercase() && c.is_alphabetic() && !is_greek(c);
         let word = a.is_some_and(letter) && b.is_none_or(|b| letter(b) || b == ' ' && a.is_some_and(|a| !a.is_ascii()));
         if word {
-            *first = super::pen::capital(first);
+            *first = words::capital(first);
         }
     }
     if !text.ends_with(['.', ':', ';', '!', '?', '…', ',']) {

@@ -1,5 +1,6 @@
 //! Signs that all motions of a calculation keep: the length √((4 − s)²) is written 4 − s where 4 − s stays positive.
 
+use crate::Finds;
 use crate::calculation::Calculation;
 use crate::results::Results;
 use report::formula::Sign;
@@ -12,7 +13,8 @@ const ROWS: usize = 200;
 /// farther from zero than it ever moves from one row to the next.
 pub(super) fn kept(calculation: &Calculation) -> Vec<(Expr, Sign)> {
     let equations = &calculation.machine.equations;
-    let motions: Vec<&Results> = calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse" | "periodic")).collect();
+    let known = |r: &&Results| matches!(calculation.machine.origin.studies.finds(r.kind), Finds::Motion | Finds::Drives | Finds::Regime);
+    let motions: Vec<&Results> = calculation.results.iter().filter(known).collect();
     if motions.is_empty() || motions.iter().any(|motion| motion.trouble.is_some()) {
         return Vec::new();
     }

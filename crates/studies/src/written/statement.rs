@@ -1,15 +1,17 @@
 //! Chapter 1: what is given, what is wanted, what is assumed, the data.
 
-use super::pen::{Pen, capital, inline, lowered, words};
+use super::pen::{Pen, inline, lowered, words};
 use super::quantity;
 use super::wording::Word;
 use super::work::Work;
+use crate::Finds;
 use mechanics::asked::Asked;
 use mechanics::model::{Class, ConnectionKind, ParameterValue};
 use report::Block;
 use report::document::{Inline, Rich};
 use symbolic::Node;
 use symbolic::equations::Parameter;
+use words::capital;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     pen.section(pen.word(Word::Given), |pen| given(work, pen));
@@ -41,8 +43,9 @@ pub(super) fn parts(work: &Work, pen: &mut Pen) {
 fn wanted(work: &Work, pen: &mut Pen) {
     let mut asked: Vec<String> = Vec::new();
     for study in &work.model.studies {
-        let line = work.language.pick(asks(study.kind).0, asks(study.kind).1).to_owned();
-        if !line.is_empty() && !asked.contains(&line) {
+        let Some((en, ru)) = work.study(study.kind).map(|study| study.wanted()) else { continue };
+        let line = work.language.pick(en, ru).to_owned();
+        if !asked.contains(&line) {
             asked.push(line);
         }
     }
@@ -55,36 +58,6 @@ fn wanted(work: &Work, pen: &mut Pen) {
         pen.say(format!("{}) {line}{end}", i + 1));
     }
     outputs(work, pen);
-}
-
-/// What a study asks for.
-pub(super) fn asks(kind: &str) -> (&'static str, &'static str) {
-    match kind {
-        "equations" => ("derive the equations of motion", "составить уравнения движения"),
-        "kinematics" => ("investigate the kinematics of the linkage", "провести кинематическое исследование механизма"),
-        "equilibrium" => ("find the positions of equilibrium", "найти положения равновесия и исследовать их устойчивость"),
-        "modes" => ("find the natural frequencies and mode shapes", "определить собственные частоты и формы колебаний"),
-        "response" => (
-            "find the amplitudes and phases of the forced oscillations over the frequency",
-            "построить амплитудно-частотные и фазочастотные характеристики вынужденных колебаний",
-        ),
-        "simulate" => ("integrate the equations of motion", "найти закон движения численным интегрированием"),
-        "transient" => ("find the motion in closed form, phase by phase", "найти закон движения в замкнутой форме по этапам нагружения"),
-        "inverse" => (
-            "find the forces and moments of the motors for the prescribed motion",
-            "решить обратную задачу динамики: найти силы и моменты двигателей по заданному движению",
-        ),
-        "poincare" => ("find the section points of the motion", "построить сечение Пуанкаре"),
-        "statics" => ("find the reactions and the internal forces", "найти реакции опор и внутренние усилия"),
-        "cycle" => (
-            "balance the work over a cycle, find the reduced inertia and the irregularity of running",
-            "составить баланс работ за цикл, найти приведённый момент инерции и коэффициент неравномерности хода",
-        ),
-        "periodic" => ("find the periodic regime and its stability", "найти периодический режим и исследовать его устойчивость"),
-        "stability" => ("find whether small disturbances grow", "исследовать устойчивость по отношению к малым возмущениям"),
-        "sweep" => ("investigate the influence of parameters", "исследовать влияние параметров"),
-        _ => ("", ""),
-    }
 }
 
 /// The quantities that the file names.
@@ -112,10 +85,13 @@ fn assumptions(work: &Work, pen: &mut Pen) {
     let has = |test: fn(&ConnectionKind) -> bool| kinds().any(test);
     let bodies = model.frames.iter().any(|f| f.is_body);
     let massless = model.frames.iter().any(|f| f.is_body && f.mass.is_none());
-    let linearised = |s: &Asked| matches!(s.kind, "modes" | "response") || (s.kind == "transient" && s.flag("linearise"));
+    let linearised = |s: &Asked| match work.finds(s.kind) {
+        Finds::Shapes | Finds::Amplitudes => true,
+        _ => s.flag("linearise"),
+    };
     let small = model.studies.iter().any(linearised);
     let structure = model.structure.is_some();
-    let list: Vec<(bool, (&str, &str))> = vec![
+    let mut list: Vec<(bool, (&str, &str))> = vec![
         (bodies, ("the bodies are rigid", "тела абсолютно твёрдые")),
         (massless, ("bodies without a given mass are massless", "массой тел, для которых она не задана, пренебрегаем")),
         (has(|k| matches!(k, ConnectionKind::Rope { .. })), ("ropes are inextensible and massless", "нити нерастяжимые и невесомые")),
@@ -123,7 +99,10 @@ fn assumptions(work: &Work, pen: &mut Pen) {
         (has(|k| matches!(k, ConnectionKind::Rolling { .. })), ("wheels roll without slip", "качение происходит без проскальзывания")),
         (bodies, ("joints and guides without a given friction are ideal", "связи, трение в которых не задано, идеальные")),
         (bodies && model.gravity.is_none(), ("gravity is left out", "сила тяжести не учитывается")),
-        (model.elements.iter().any(|e| e.table == "springs"), ("springs are massless", "пружины невесомые")),
+    ];
+    let told = crate::shown::TABLE.iter().filter(|row| !row.assumed.0.is_empty());
+    list.extend(told.map(|row| (model.elements.iter().any(|e| e.table == row.table), row.assumed)));
+    list.extend([
         (structure, ("rods are straight and elastic, displacements are small", "стержни прямые и упругие, перемещения малы")),
         (
             small,
@@ -132,7 +111,7 @@ fn assumptions(work: &Work, pen: &mut Pen) {
                 "малые колебания рассматриваются по уравнениям, линеаризованным около указанного там положения",
             ),
         ),
-    ];
+    ]);
     let held: Vec<&str> = list.into_iter().filter(|(holds, _)| *holds).map(|(_, (en, ru))| work.language.pick(en, ru)).collect();
     if !held.is_empty() {
         pen.say(format!("{} {}.", work.language.pick("It is assumed that", "Приняты следующие допущения:"), held.join("; ")));

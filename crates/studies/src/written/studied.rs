@@ -1,6 +1,5 @@
 //! Chapters that are told by the studies themselves: sections, free and forced oscillations, motion, working regime; and the facts of frames.
 
-use super::pen::capital;
 use super::pen::{Pen, inline, words};
 use super::wording::Word;
 use super::work::Work;
@@ -9,6 +8,7 @@ use report::document::Rich;
 use report::table::Column;
 use report::{Cell, Table};
 use symbolic::Expr;
+use words::capital;
 
 /// Every study of the chapter in a section of its own.
 pub(super) fn told(work: &Work, chapter: Word, pen: &mut Pen) {

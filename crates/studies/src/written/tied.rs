@@ -10,6 +10,7 @@ use super::coefficients::{form, free, only_load, units};
 use super::pen::{Coefficients, Pen, inline, words};
 use super::quantity::{line_at, with_unit};
 use super::work::Work;
+use crate::Finds;
 use crate::small::Small;
 use report::document::Formula;
 use report::formula::{Layout, Relation};
@@ -46,7 +47,7 @@ pub(super) fn write(work: &Work, small: &Small, pen: &mut Pen) -> Option<Coeffic
 
 /// Whether the study of natural frequencies found this square of the frequency.
 fn agrees(work: &Work, square: f64) -> bool {
-    let modes = work.calculation.results.iter().find(|r| r.kind == "modes");
+    let modes = work.results_that(|finds| finds == Finds::Shapes).next();
     let omega = modes.and_then(|r| r.data.column("omega")).map(|column| column.values.clone());
     matches!(omega.as_deref(), Some([omega]) if (omega * omega - square).abs() <= AGREES * square.abs())
 }

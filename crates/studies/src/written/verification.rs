@@ -1,12 +1,12 @@
 //! Chapter 9: every check with what was found, what is expected, the limit and the verdict; published results beside ours.
 
 use super::pen::Pen;
-use super::pen::capital;
 use super::wording::Word;
 use super::work::Work;
 use analysis::dataset::Audit;
 use report::table::{Column, Verdict};
 use report::{Cell, Table};
+use words::capital;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     let audits = merged(work.calculation.audits());

@@ -58,3 +58,26 @@ words::table! {
     Checks: "checks of the calculation", "проверки расчёта";
     Free0: "neglected", "не учитывается";
 }
+
+impl Word {
+    /// The name in `[report]` of the chapter with this title; none of other words.
+    pub fn chapter(self) -> &'static str {
+        match self {
+            Word::Statement => "statement",
+            Word::Sections => "sections",
+            Word::Kinematics => "kinematics",
+            Word::Dynamics => "equations",
+            Word::Free => "free",
+            Word::Forced => "forced",
+            Word::Motion => "motion",
+            Word::Reactions => "reactions",
+            Word::Regime => "regime",
+            Word::Verification => "verification",
+            Word::Conclusions => "conclusions",
+            Word::Sources => "sources",
+            Word::ModelText => "model",
+            Word::Tables => "tables",
+            _ => "",
+        }
+    }
+}

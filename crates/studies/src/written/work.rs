@@ -4,6 +4,7 @@ use super::signs;
 use super::wording::Word;
 use crate::calculation::Calculation;
 use crate::results::Results;
+use crate::{Finds, Study};
 use mechanics::Model;
 use report::document::Formula;
 use report::formula::{Layout, Printer, Sign};
@@ -12,20 +13,6 @@ use words::Language;
 
 /// Characters of a line of formulas.
 const LINE: usize = 84;
-
-/// The chapter in which a study is told; no study is left out.
-pub(super) fn chapter_of(kind: &str) -> Word {
-    match kind {
-        "kinematics" => Word::Kinematics,
-        "equations" | "equilibrium" => Word::Dynamics,
-        "modes" => Word::Free,
-        "response" => Word::Forced,
-        "simulate" | "transient" | "inverse" | "poincare" => Word::Motion,
-        "statics" => Word::Reactions,
-        "claims" => Word::Verification,
-        _ => Word::Regime,
-    }
-}
 
 /// What a chapter is made from.
 pub(super) struct Work<'a> {
@@ -61,9 +48,25 @@ impl<'a> Work<'a> {
         self.settled(|printer| printer.layout(graph, e))
     }
 
-    /// The results of studies that a chapter tells.
+    /// The study of that name; none for claims.
+    pub fn study(&self, kind: &str) -> Option<&'static dyn Study> {
+        self.calculation.machine.origin.studies.find(kind)
+    }
+
+    /// What the study of that name finds.
+    pub fn finds(&self, kind: &str) -> Finds {
+        self.calculation.machine.origin.studies.finds(kind)
+    }
+
+    /// The results of studies that find this.
+    pub fn results_that(&self, fits: impl Fn(Finds) -> bool) -> impl Iterator<Item = &'a Results> {
+        self.calculation.results.iter().filter(move |results| fits(self.finds(results.kind)))
+    }
+
+    /// The results of studies that a chapter tells; no study is left out.
     pub fn results_of(&self, chapter: Word) -> impl Iterator<Item = &'a Results> {
-        self.calculation.results.iter().filter(move |results| chapter_of(results.kind) == chapter)
+        let told = move |kind: &str| self.study(kind).map_or(crate::claims::CHAPTER, Study::chapter);
+        self.calculation.results.iter().filter(move |results| told(results.kind) == chapter.chapter())
     }
 
     /// Whether the machine has anything that moves or is held.

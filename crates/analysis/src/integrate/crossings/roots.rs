@@ -7,6 +7,7 @@
 //! *Source*: G. E. Collins, A. G. Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976; Bernstein form by
 //! J. M. Lane, R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981) 112-117.
 
+use algebra::bernstein::{halve_row, to_bernstein};
 use algebra::elementary;
 
 /// Deepest halving: intervals below this share of the step are one instant.
@@ -139,32 +140,6 @@ fn significant(scaled: &[f64]) -> usize {
         rest <= limit
     };
     scaled.len() - scaled[1..].iter().rev().take_while(negligible).count()
-}
-
-/// Powers to Bernstein coefficients on [0, 1]: the triangle of sums of c_k / C(n,k).
-fn to_bernstein(c: &mut [f64]) {
-    let n = c.len() - 1;
-    let mut binomial = 1.0;
-    for (k, c_k) in c.iter_mut().enumerate() {
-        *c_k /= binomial;
-        binomial *= (n - k) as f64 / (k + 1) as f64;
-    }
-    for level in 1..=n {
-        for j in (level..=n).rev() {
-            c[j] += c[j - 1];
-        }
-    }
-}
-
-/// De Casteljau at the middle: the row becomes its right half, the left half is appended to `left`.
-fn halve_row(row: &mut [f64], left: &mut Vec<f64>) {
-    let n = row.len();
-    for level in 0..n {
-        left.push(row[0]);
-        for j in 0..n - 1 - level {
-            row[j] = 0.5 * (row[j] + row[j + 1]);
-        }
-    }
 }
 
 fn value_and_slope(c: &[f64], u: f64) -> (f64, f64) {

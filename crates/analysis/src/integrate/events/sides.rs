@@ -322,7 +322,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     /// State of bound `b` with these coefficients over a step h.
-    pub(crate) fn judge(&self, b: usize, g: &[f64], h: f64) -> BoundState {
+    pub(in crate::integrate) fn judge(&self, b: usize, g: &[f64], h: f64) -> BoundState {
         judge_bound(g, h, self.bound_scale(b, g, h))
     }
 

@@ -297,6 +297,7 @@ impl Rule {
                 // scale and powers may belong to a step two hundredths off: the slack covers it
                 if c_k.abs() * power > bound * a {
                     let ratio = c_k.abs() * power / (elementary::powi(*root, k as i32) * a);
+                    // once more with a step that is shorter for sure, and not by more than three decades at once
                     let factor = elementary::pow(ratio, -1.0 / k as f64).clamp(1e-3, 0.9);
                     worst = Some(worst.map_or(factor, |w| w.min(factor)));
                 }

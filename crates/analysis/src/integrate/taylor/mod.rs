@@ -36,7 +36,7 @@ use passage::AWAY;
 
 pub use flow::Flow;
 pub use length::{HIGHEST_ORDER, order_for};
-pub use options::{Check, Options, TOLERANCES, Work, check_tolerance};
+pub use options::{Check, Options, Work, check_tolerance};
 
 fn check_start<S: System + ?Sized>(system: &S, t: f64, x: &[f64]) -> Result<(), Fault> {
     match system.states().iter().zip(x).find(|(_, value)| !value.is_finite()) {

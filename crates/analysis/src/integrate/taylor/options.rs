@@ -2,12 +2,10 @@
 
 use words::Text;
 use words::digits::number;
+use words::limits::TOLERANCES;
 
 use crate::Fault;
 use crate::integrate::stiff::Method;
-
-/// Smallest and largest tolerance accepted.
-pub const TOLERANCES: (f64, f64) = (1e-15, 1e-3);
 
 /// Options of a flow.
 #[derive(Clone, Debug)]
@@ -39,6 +37,7 @@ pub enum Check {
 
 impl Default for Options {
     fn default() -> Options {
+        // three digits above rounding: a long motion stays exact to what a page shows
         Options { tolerance: 1e-12, order: None, span: 1.0, method: Method::Auto, check: Check::Whole }
     }
 }
@@ -88,12 +87,15 @@ impl Work {
 
 /// Refuses a tolerance that cannot be kept.
 pub fn check_tolerance(tolerance: f64) -> Result<(), Fault> {
-    if tolerance >= TOLERANCES.0 && tolerance <= TOLERANCES.1 {
+    if TOLERANCES.contains(&tolerance) {
         return Ok(());
     }
     let n = number(tolerance);
     Err(Fault::option(
-        Text::new(format!("tolerance = {} is not between 1e-15 and 1e-3", n.en), format!("точность {} не лежит между 1e-15 и 1e-3", n.ru)),
+        Text::new(
+            format!(concat!("tolerance = {} is not between ", words::finest_tolerance!(), " and ", words::coarsest_tolerance!()), n.en),
+            format!(concat!("точность {} не лежит между ", words::finest_tolerance!(), " и ", words::coarsest_tolerance!()), n.ru),
+        ),
         Text::new("use 1e-12, or 1e-9 when speed matters", "используйте 1e-12 или, если важна скорость, 1e-9"),
     ))
 }

@@ -9,6 +9,7 @@ use algebra::elementary;
 
 /// Switches in a row closer than [`CLOSE`] of the undisturbed step before they count as an accumulation.
 const CROWD: u32 = 64;
+// far closer than switches of a machine, far above the rounding of an instant
 const CLOSE: f64 = 1e-9;
 
 /// Share of the loads of the machine below which a normal force is rounding.
@@ -33,6 +34,7 @@ fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
                 change = f64::max(change, term);
             } else if k + 4 > p && (term > SLACK * tolerance * change || term.is_nan()) {
                 let share = elementary::pow(tolerance * change / term, 1.0 / k as f64);
+                // shorter for sure, and not by more than three decades at once
                 factor = factor.min(if share.is_nan() { 1e-3 } else { share.clamp(1e-3, 0.95) });
             }
         }

@@ -16,6 +16,7 @@ use words::digits::ten_digits;
 const STEP: f64 = 0.01;
 /// Steps before the way is given up.
 const STEPS: usize = 4000;
+// some hundred units of the last place of the terms that meet
 const TOLERANCE: f64 = 1e-13;
 /// Code of the fault of a position in which the way branches.
 pub(super) const SINGULAR: &str = "S028";
@@ -41,6 +42,7 @@ impl Linkage<'_> {
         for _ in 0..STEPS {
             let Some(next) = self.along(&point, length) else {
                 length *= 0.5;
+                // thirty halvings: the way ends here
                 if length < 1e-9 * STEP {
                     return Err(self.singular(&point.z, point.z[point.z.len() - 1]));
                 }

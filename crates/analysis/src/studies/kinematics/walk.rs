@@ -153,6 +153,7 @@ impl Walk<'_, '_> {
         if !self.really_free(at, &free)? {
             return Err(self.linkage.stuck(at, from)?);
         }
+        // rounding of a null vector moves nothing
         let moves = |i: &usize| free.iter().any(|v| v[*i].abs() > 1e-8);
         let names: Vec<&str> = (0..n).filter(moves).map(|i| self.linkage.name(i)).collect();
         Err(undetermined(&self.linkage.driven_names(), &names, free.len()))
@@ -163,6 +164,7 @@ impl Walk<'_, '_> {
         let mut near = at.clone();
         for (k, v) in free.iter().enumerate() {
             let largest = v.iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
+            // a thousandth of a radian or metre, another one for each freedom: beside the singular position, within reach of Newton
             near.iter_mut().zip(v).for_each(|(q, v)| *q += 1e-3 * (1.0 + 0.3 * k as f64) * v / largest);
         }
         Ok(self.linkage.freedoms(0.0, &near)?.len() >= free.len())

@@ -107,6 +107,7 @@ impl Linkage<'_> {
         let mut here = from.clone();
         let mut part = whole;
         while here.s != to {
+            // no last hop of rounding alone
             let last = (to - here.s).abs() <= part.abs() * (1.0 + 1e-9);
             let next = if last { to } else { here.s + part };
             match self.hop(&here, next, doubts) {

@@ -168,5 +168,6 @@ pub(super) fn closure(value: f64) -> Audit {
         "the motion comes back to its start: largest relative difference",
         "движение возвращается в начало: наибольшее относительное расхождение",
     );
+    // Newton ends at 1e-12 and less; the motion repeats to ten digits
     Audit::at_most("closure", name, value, 1e-10)
 }

@@ -21,6 +21,7 @@ const SINGULAR: f64 = 1e-9;
 const RESONANT: f64 = 1e-12;
 /// Rank of the derivative of a projection: shares of its rows, and of its columns, which differences of states give with half of the digits.
 const IN_ROWS: f64 = 1e-9;
+// see above
 const IN_COLUMNS: f64 = 1e-7;
 /// Shares of the period by which a turn may be followed further to end behind a switch.
 const BEHIND: [f64; 4] = [0.0, 1e-14, 1e-13, 1e-12];
@@ -220,6 +221,7 @@ impl Found<'_> {
         rates.iter_mut().zip(frame).for_each(|(r, v)| *r -= v);
         clear_shifts(&self.symmetry, &mut rates);
         let flow: Vec<f64> = self.returning(None).iter().map(|&i| rates[i] * self.orbit.period / self.scales[i]).collect();
+        // rates over a period, relative to what varies: a state that does not move
         Ok(flow.iter().any(|f| f.abs() > 1e-9).then_some(flow))
     }
 
@@ -252,6 +254,7 @@ impl Found<'_> {
         gap.iter_mut().enumerate().for_each(|(i, gap)| *gap -= frame.map_or(0.0, |f| f[i] * t));
         self.turns.take_off(&mut gap);
         clear_shifts(&self.symmetry, &mut gap);
+        // a regime that closes to 1e-10 comes back so where it repeats earlier
         self.miss(&gap, None) < 1e-8
     }
 

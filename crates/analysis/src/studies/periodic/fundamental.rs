@@ -140,6 +140,7 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) ->
             continue;
         }
         let speed = row[n] + row[..n].iter().zip(&before).map(|(g, f)| g * f).sum::<f64>();
+        // the section is touched: the instant has no derivative
         if speed.is_nan() || speed.abs() <= 1e-9 * size * fastest {
             return Ok(Saltation::Undefined(Blur::Grazing));
         }
@@ -195,6 +196,7 @@ fn surface<S: System + ?Sized>(system: &S, switch: &Switch) -> Option<usize> {
 /// What an impact does to the state, linearised: derivative by the state and by time.
 fn reset<S: System + ?Sized>(system: &mut S, jump: &Jump, closing: &[usize], scales: &[f64]) -> Result<(Square, Vec<f64>), Fault> {
     let n = jump.before.len();
+    // what changes by rounding does not jump
     let moved = jump.before.iter().zip(&jump.then).zip(scales).any(|((a, b), s)| (a - b).abs() > 1e-9 * s);
     if closing.is_empty() || !moved {
         return Ok((Square::identity(n), vec![0.0; n]));
@@ -205,6 +207,7 @@ fn reset<S: System + ?Sized>(system: &mut S, jump: &Jump, closing: &[usize], sca
         Ok(x)
     };
     let rows = derivative(&jump.before, scales, |x| hit(jump.t, x))?;
+    // central differences: 1e-12 of truncation against 1e-10 of rounding
     let h = 1e-6 * (1.0 + jump.t.abs());
     let (early, late) = (hit(jump.t - h, &jump.before)?, hit(jump.t + h, &jump.before)?);
     let by_time = early.iter().zip(&late).map(|(a, b)| (b - a) / (2.0 * h)).collect();

@@ -175,6 +175,7 @@ fn begun<'o, S: System + ?Sized>(system: &mut S, found: Found<'o>, begin: Formul
     let again = Periodic { settle: 0.0, begin: None, by: options.by.clone(), grid: Grid::Auto, outputs: None, ..*options };
     // corrected once more; where the section lies on a switch or at rest, the correction may lead away from it
     match newton::solve(system, &x, &again) {
+        // the same regime, corrected by what a section changes of it
         Ok(other) if other.away_from(&x) < 1e-6 && (other.orbit.period / found.orbit.period - 1.0).abs() < 1e-6 => Ok(other),
         _ => found.shifted(system, &x, options),
     }
@@ -205,12 +206,14 @@ fn multipliers<S: System + ?Sized>(
             "a shift along the motion has the multiplier 1: difference",
             "сдвиг вдоль движения имеет мультипликатор 1: отклонение",
         );
+        // integrals of a turn by differences of rates carry eight digits
         dataset.audits.insert(1, Audit::at_most("trivial_multiplier", name, off, 1e-7));
     }
     let name = Text::new(
         "Liouville's formula: determinant of the variations against the divergence",
         "формула Лиувилля: определитель решений в вариациях против дивергенции",
     );
+    // determinant and divergence are integrated apart from one another to nine digits
     dataset.audits.insert(1, Audit::at_most("liouville", name, turn.liouville, 1e-8));
     Ok(Some(spectrum.multipliers))
 }

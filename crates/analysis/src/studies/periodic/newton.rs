@@ -21,6 +21,7 @@ pub(super) const TURNS: usize = 100;
 const FAR: f64 = 0.3;
 /// A miss below this is rounding; above `ENOUGH` it is no return.
 const EXACT: f64 = 2e-15;
+// see above; the audit `closure` allows as much
 const ENOUGH: f64 = 1e-10;
 /// A far correction is kept where it leaves this share of the miss: the map of a linear machine is met at once.
 const AFFINE: f64 = 1e-3;
@@ -47,40 +48,65 @@ struct Search<'s, 'o> {
 }
 
 /// From a start to a turn that closes.
-#[expect(clippy::too_many_lines, reason = "one search whose turns share all that they know; its parts have names")]
 pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     let flow = Options { tolerance: options.tolerance, ..Options::default() };
     let trial = trial(system, start, options, &flow)?;
     if interrupted(options) {
         return Err(unsettled(1.0, 0));
     }
-    let (mut search, mut x) = prepare(system, start, trial, options, flow)?;
+    let (mut search, x) = prepare(system, start, trial, options, flow)?;
     if search.state.is_none()
         && let Some(found) = at_once(system, &mut search, &x)?
     {
         return Ok(found);
     }
-    let mut best: Option<(f64, Found<'o>)> = None;
-    let (mut follow_only, mut last) = (0_usize, f64::INFINITY);
-    let mut patience = Patience::default();
-    // where the motion itself went, beside a start that Newton's method proposes
-    let mut went: Option<Vec<f64>> = None;
+    let mut turns = Attempts { x, best: None, follow_only: 0, last: f64::INFINITY, patience: Patience::default(), went: None };
     for turn in 0..TURNS {
-        if interrupted(options) {
+        if interrupted(options) || turns.turn(system, &mut search, turn)? == Settled::Yes {
             break;
         }
-        tidy(&mut x, &search.scales);
-        search.aim(&x);
-        let outcome = follow(system, &x, &search.sections, options.limit(), &search.flow);
-        let by_proposal = went.take();
+    }
+    match turns.best {
+        Some((miss, found)) if miss <= ENOUGH => Ok(found),
+        Some((miss, _)) => Err(unsettled(miss, TURNS)),
+        None => Err(unsettled(1.0, 0)),
+    }
+}
+
+/// The turns that a search has tried.
+struct Attempts<'o> {
+    /// Where the next one starts.
+    x: Vec<f64>,
+    /// The best so far with its miss.
+    best: Option<(f64, Found<'o>)>,
+    /// Turns that are followed without a correction.
+    follow_only: usize,
+    /// Miss of the last one.
+    last: f64,
+    patience: Patience,
+    /// Where the motion itself went, beside a start that Newton's method proposes.
+    went: Option<Vec<f64>>,
+}
+
+/// Whether a search is at its end.
+#[derive(PartialEq)]
+enum Settled {
+    Yes,
+    No,
+}
+
+impl<'o> Attempts<'o> {
+    /// One turn, and where the next one starts.
+    fn turn<S: System + ?Sized>(&mut self, system: &mut S, search: &mut Search<'_, 'o>, turn: usize) -> Result<Settled, Fault> {
+        let options = search.options;
+        tidy(&mut self.x, &search.scales);
+        search.aim(&self.x);
+        let outcome = follow(system, &self.x, &search.sections, options.limit(), &search.flow);
+        let by_proposal = self.went.take();
         let (orbit, which) = match (outcome, by_proposal.clone()) {
             (Ok(Some(found)), _) => found,
             // the proposal stands inside a wall, outside of a domain or where nothing returns: it fails, not the file
-            (_, Some(turn)) => {
-                (x, follow_only) = (turn, 3);
-                search.aim(&x);
-                continue;
-            }
+            (_, Some(turn)) => return Ok(self.back(search, turn)),
             (Ok(None), None) => return Err(no_return(&search.name, options)),
             (Err(fault), None) => return Err(fault),
         };
@@ -93,62 +119,75 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         let left = search.left(system, &orbit);
         if left == Some(Left::Little) {
             // the gaps before were measured in other scales
-            (best, last) = (None, f64::INFINITY);
+            (self.best, self.last) = (None, f64::INFINITY);
         }
         let found = search.found(system, orbit)?;
         if left == Some(Left::Rest) {
-            match by_proposal {
+            return match by_proposal {
                 // a jump to a place that the motion itself leaves
-                Some(turn) if !rest::attracts(system, &found, options.seed) => {
-                    (x, follow_only) = (turn, 3);
-                    search.aim(&x);
-                    continue;
-                }
-                _ => return Err(rest::at_rest()),
-            }
+                Some(turn) if !rest::attracts(system, &found, options.seed) => Ok(self.back(search, turn)),
+                _ => Err(rest::at_rest()),
+            };
         }
         let gap = found.gap();
         let miss = found.miss(&gap, search.state);
         options.listener.tell(Stage::Turned(turn + 1, miss));
-        let better = best.as_ref().is_none_or(|(least, _)| miss < *least);
-        let settled = miss <= EXACT || (best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * last);
+        self.judge(system, search, (found, gap, miss), by_proposal.as_deref())
+    }
+
+    /// The motion itself goes on for some turns from where it went.
+    fn back(&mut self, search: &mut Search<'_, 'o>, turn: Vec<f64>) -> Settled {
+        (self.x, self.follow_only) = (turn, FOLLOWED);
+        search.aim(&self.x);
+        Settled::No
+    }
+
+    /// What a turn that returned says: whether it is the last one, and whether the next one starts where it ended or where a correction leads.
+    fn judge<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        search: &mut Search<'_, 'o>,
+        (found, gap, miss): (Found<'o>, Vec<f64>, f64),
+        by_proposal: Option<&[f64]>,
+    ) -> Result<Settled, Fault> {
+        let better = self.best.as_ref().is_none_or(|(least, _)| miss < *least);
+        let settled = miss <= EXACT || (self.best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * self.last);
         let next_turn = found.next_start(&gap);
-        follow_only =
-            follow_only.max(patience.after(if better { Came::Nearer } else { Came::NoNearer { corrected: by_proposal.is_some() } }));
-        let correct = miss <= FAR && follow_only == 0 && !settled;
-        follow_only = follow_only.saturating_sub(1);
-        if !better && miss > 2.0 * last && miss > ENOUGH {
+        self.follow_only = self.follow_only.max(self.patience.after(if better {
+            Came::Nearer
+        } else {
+            Came::NoNearer { corrected: by_proposal.is_some() }
+        }));
+        let correct = miss <= FAR && self.follow_only == 0 && !settled;
+        self.follow_only = self.follow_only.saturating_sub(1);
+        if !better && miss > 2.0 * self.last && miss > ENOUGH {
             // the correction led away: a few turns instead
-            follow_only = 3;
+            self.follow_only = FOLLOWED;
         }
-        last = miss;
+        self.last = miss;
         let step = match correct.then(|| found.correction(system, &gap, search.state, Stride::Careful)) {
             // without a derivative the turns are followed
             Some(Err(fault)) if fault.code == "S054" || fault.code == "S055" => None,
             Some(step) => step?,
             None => None,
         };
-        x = match step.and_then(|step| moved(system, &found, &step).ok()) {
+        self.x = match step.and_then(|step| moved(system, &found, &step).ok()) {
             Some(proposed) => {
-                went = Some(next_turn);
+                self.went = Some(next_turn);
                 proposed
             }
             None => next_turn,
         };
-        search.aim(&x);
+        search.aim(&self.x);
         if better {
-            best = Some((miss, found));
+            self.best = Some((miss, found));
         }
-        if settled {
-            break;
-        }
-    }
-    match best {
-        Some((miss, found)) if miss <= ENOUGH => Ok(found),
-        Some((miss, _)) => Err(unsettled(miss, TURNS)),
-        None => Err(unsettled(1.0, 0)),
+        Ok(if settled { Settled::Yes } else { Settled::No })
     }
 }
+
+/// Turns that the motion is followed where a proposal has failed.
+const FOLLOWED: usize = 3;
 
 /// How corrections do. Where the turn has no good derivative (infinitely many impacts in it) they come no nearer, while the motion itself may.
 #[derive(Default)]
@@ -306,6 +345,7 @@ fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>
         let scale = match system.states()[i].unit.as_str() {
             "rad" => 1.0,
             _ if is_rate => range.max(0.1 * size),
+            // a coordinate that hardly moves has a thousandth of its place as its scale
             _ => range.max(1e-3 * size),
         };
         let resting = if is_rate { out[i - n] / time } else { 1.0 };
@@ -324,28 +364,7 @@ fn prepare<'s, 'o, S: System + ?Sized>(
     let elapsed = trial.period;
     // about a radian a step
     trial.period = elapsed.min(6.0 * elapsed / trial.steps.len().max(1) as f64).max(f64::MIN_POSITIVE);
-    let first_scales = scales(system, &trial, None);
-    let named = match &options.by {
-        Return::State(name) => Some(state_named(system, name)?),
-        _ => None,
-    };
-    let symmetry = symmetry::find(system, &trial, &first_scales, named, Reach::Possible)?;
-    let loose = symmetry::find(system, &trial, &first_scales, named, Reach::Any)?;
-    let scales = scales(system, &trial, symmetry.frame.as_ref());
-    let turns = Turns::find(system, &trial, &scales)?;
-    let mut search = Search {
-        options,
-        flow: Options { span: trial.period, ..flow },
-        scales,
-        symmetry,
-        loose,
-        turns,
-        sections: Vec::new(),
-        state: None,
-        whole: Vec::new(),
-        shrunk: false,
-        name: Text::default(),
-    };
+    let (mut search, named) = begin(system, &trial, options, flow)?;
     let mut x = trial.first.clone();
     if let (Some(frame), true) = (&search.symmetry.frame, options.settle > 0.0) {
         // the same motion at t = 0
@@ -387,8 +406,41 @@ fn prepare<'s, 'o, S: System + ?Sized>(
     Ok((search, x))
 }
 
+/// What is known of the motion before it is aimed at a section, and the state of the section where the file names it.
+fn begin<'s, 'o, S: System + ?Sized>(
+    system: &mut S,
+    trial: &Orbit,
+    options: &'s Periodic<'o>,
+    flow: Options,
+) -> Result<(Search<'s, 'o>, Option<usize>), Fault> {
+    let first_scales = scales(system, trial, None);
+    let named = match &options.by {
+        Return::State(name) => Some(state_named(system, name)?),
+        _ => None,
+    };
+    let symmetry = symmetry::find(system, trial, &first_scales, named, Reach::Possible)?;
+    let loose = symmetry::find(system, trial, &first_scales, named, Reach::Any)?;
+    let scales = scales(system, trial, symmetry.frame.as_ref());
+    let turns = Turns::find(system, trial, &scales)?;
+    let search = Search {
+        options,
+        flow: Options { span: trial.period, ..flow },
+        scales,
+        symmetry,
+        loose,
+        turns,
+        sections: Vec::new(),
+        state: None,
+        whole: Vec::new(),
+        shrunk: false,
+        name: Text::default(),
+    };
+    Ok((search, named))
+}
+
 /// Whether nothing moves in a frame.
 fn still(trial: &Orbit, frame: &[f64], scales: &[f64]) -> bool {
+    // nine digits below what varies nothing moves
     let moves = |s: &crate::integrate::Step, i: usize| (s.coefficients(i)[1] - frame[i]).abs() * trial.period > 1e-9 * scales[i];
     trial.steps.iter().all(|s| (0..scales.len()).all(|i| !moves(s, i)))
 }
@@ -424,6 +476,7 @@ fn transversal<S: System + ?Sized>(
     let fastest = trial.steps.iter().map(|s| speed(s.coefficients(state))).fold(0.0, f64::max);
     let modes = Flow::start(system, 0.0, &x, &search.flow)?.modes().to_vec();
     let own = (fundamental::rates(system, 0.0, &x, &modes)?[state] - frame[state]).abs();
+    // a section that is passed this slowly has no instant with digits
     if own > 1e-3 * fastest || fastest == 0.0 {
         return Ok(x);
     }

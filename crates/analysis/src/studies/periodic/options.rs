@@ -58,6 +58,7 @@ impl Default for Periodic<'_> {
             returns: 1,
             settle: 0.0,
             longest: 1e4,
+            // the map of a turn is differentiated: it is followed as closely as numbers allow
             tolerance: 1e-14,
             grid: Grid::Auto,
             outputs: None,

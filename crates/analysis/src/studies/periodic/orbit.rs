@@ -146,6 +146,7 @@ impl Watched {
         let mut c: Vec<f64> = step.coefficients(state).iter().map(|c| sign * c).collect();
         c[0] = sign * ((step.start_value(state) - level) - drift * step.start.high);
         c[1] -= sign * drift;
+        // a start on the section but for rounding
         if step.start.high == 0.0 && c[0].abs() <= 1e-13 * level.abs() {
             // the start itself, rounded
             (c[0], self.below) = (0.0, false);

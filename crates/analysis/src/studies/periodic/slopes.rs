@@ -35,6 +35,7 @@ fn along(x: &[f64], j: usize, scale: f64, value: &mut impl FnMut(&[f64]) -> Resu
                 return Ok((0..a.len()).map(difference).collect());
             }
             Err(fault) if tries == 2 => return Err(fault),
+            // away from an end of the domain
             Err(_) => width *= 1e-2,
         }
     }
@@ -59,6 +60,7 @@ pub(super) fn slopes<S: System + ?Sized>(
         Ok(rates.chain(guards).collect::<Vec<f64>>())
     };
     let by_state = derivative(x, scales, |x| values(t, x))?;
+    // a hundredth of a second, and of the time, as the scale of formulas of time
     let by_time = derivative(&[t], &[1e-2 * (1.0 + t.abs())], |t| values(t[0], x))?;
     rows.clear();
     by_state.iter().zip(&by_time).for_each(|(row, time)| rows.extend(row.iter().chain(time)));

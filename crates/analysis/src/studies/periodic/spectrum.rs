@@ -62,6 +62,7 @@ pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
     let mut multipliers = with_errors(r, &rest, size, seed)?;
     name_smallest(&mut multipliers, turn);
     if let Some((value, _)) = shift {
+        // a quotient of what is known to thirteen digits
         multipliers.push(Multiplier { re: value, trivial: true, error: 1e-12 * (1.0 + value.abs()), ..Multiplier::default() });
     }
     multipliers.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im)));

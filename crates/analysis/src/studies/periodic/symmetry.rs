@@ -70,6 +70,7 @@ pub(super) fn find<S: System + ?Sized>(
         symmetry.frame = Some(refined(system, &table, frame, orbit.period)?);
     }
     while !directions.is_empty() {
+        // entries of directions of unit size: rounding of differences is 1e-10
         let free = |k: &usize| directions.iter().any(|d| d[*k].abs() > 1e-6);
         let largest = |k: &usize| directions.iter().map(|d| d[*k].abs()).fold(0.0, f64::max);
         let best = (0..columns - 1).max_by(|a, b| largest(a).total_cmp(&largest(b)));
@@ -174,6 +175,7 @@ fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64],
 /// Takes out of the directions the one that is largest at `pivot`, normed to 1 there, and clears that entry of the others.
 fn eliminate(directions: &mut Vec<Vec<f64>>, pivot: usize, size: impl Fn(&[f64], usize) -> f64) -> Option<Vec<f64>> {
     let best = (0..directions.len()).max_by(|&a, &b| size(&directions[a], pivot).total_cmp(&size(&directions[b], pivot)))?;
+    // as in [`find`]
     if size(&directions[best], pivot) < 1e-6 {
         return None;
     }
@@ -265,6 +267,7 @@ fn unchanged<S: System + ?Sized>(
         let Ok(there) = laws(system, t, &x, &sample.modes) else { return Ok(false) };
         for (k, (a, b)) in values.iter().zip(&there).enumerate() {
             let own = scales.get(n + k).map_or(0.0, |s| s / orbit.period);
+            // laws that do not feel a change differ by rounding of their terms
             if (a - b).abs() > 1e-8 * (own + sizes[k]) {
                 return Ok(false);
             }

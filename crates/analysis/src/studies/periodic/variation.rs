@@ -343,6 +343,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         let off = tried.off();
         let rounding = off <= ROUGH && refused.is_some_and(|before| off > 0.5 * before);
         let allowed = TOLERANCE.max((2.0 * rough * h).min(ROUGH));
+        // no quotient by nothing
         let factor = 0.9 * elementary::pow(allowed / off.max(1e-30), 1.0 / (2 * STAGES) as f64);
         if off > allowed && !rounding {
             refused = Some(off);

@@ -12,7 +12,9 @@
 //!
 //! *Source*: R. Seydel, Practical Bifurcation and Stability Analysis, ch. 2 and 5.
 
+mod forks;
 mod joins;
+mod touches;
 
 use super::contacts::{Contacts, Margin};
 use super::fall::fall;
@@ -144,6 +146,7 @@ const SMOOTH: f64 = 0.05;
 const BENT: f64 = 0.01;
 /// The same relative to all that a coordinate has gone, and to its size: what is smaller is nothing to halve for.
 const SLIGHT: f64 = 1e-8;
+// of the size of the coordinate: what Newton leaves of it
 const NOTHING: f64 = 1e-10;
 /// Distance over a narrow step, relative to what the coordinate has gone, that is rounding: a root's is 1e-6.
 const NOISE: f64 = 1e-8;
@@ -449,93 +452,6 @@ impl Branch {
         self.beyond == Beyond::Ends && self.changes.iter().any(|c| c.upwards == (side == 1) && c.event == Event::Touches)
     }
 
-    /// A smooth step at the end of which contacts cannot stand as they do.
-    fn touch(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
-        let (mut low, mut high) = (self.last(side), to.clone());
-        let wanted = to.spot.as_ref().map(|s| s.violated.clone()).unwrap_or_default();
-        let mut margins = Vec::new();
-        for _ in 0..100 {
-            let middle = 0.5 * (low.value + high.value);
-            let (Some(a), Some(b)) = (&low.spot, &high.spot) else { break };
-            if middle == low.value || middle == high.value || (high.value - low.value).abs() <= ZERO * (to.value - self.home).abs() {
-                break;
-            }
-            let Some(spot) = self.spot(machine, middle, &mixed(&a.place.q, &b.place.q, 0.5))? else { break };
-            let found = self.margins(machine, &spot.place)?;
-            let gone = found.iter().any(|m| m.value < 0.0 && (m.is_violated() || wanted.contains(&m.contact)));
-            let station = Station { value: middle, spot: Some(spot), parted: false };
-            if gone { (high, margins) = (station, found) } else { low = station }
-        }
-        let here = low.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
-        if between(self.last(side).value, low.value, side) {
-            // a fork may lie on the way there
-            self.push_or_walk(machine, side, low.clone())?;
-            if self.last(side).spot.is_none_or(|s| !self.same(&s.place.q, &here)) {
-                return self.walk(machine, side, to.value);
-            }
-        }
-        let violated: Vec<usize> = match margins
-            .iter()
-            .filter(|m| m.value < 0.0 && (m.is_violated() || wanted.contains(&m.contact)))
-            .map(|m| m.contact)
-            .collect::<Vec<_>>()
-        {
-            list if list.is_empty() => wanted,
-            list => list,
-        };
-        self.retouch(machine, (side, &to), (high.value, &here), (&margins, &violated))
-    }
-
-    /// Behind p*, where contacts cannot stand as they did: the place that continues with others, or another one.
-    fn retouch(
-        &mut self,
-        machine: &mut LinearMachine,
-        (side, to): (usize, &Station),
-        (value, here): (f64, &[f64]),
-        (margins, violated): (&[Margin], &[usize]),
-    ) -> Result<(), Fault> {
-        let before = self.closed.clone();
-        let step = BEHIND * (to.value - self.home);
-        let sets = self.contacts.as_ref().map(|c| c.successors(margins, violated)).unwrap_or_default();
-        let reach = self.reach.clone();
-        let sizes = self.sizes.at(&[here, &self.place.q]);
-        let near = |spot: &Spot| (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= JOINED * reach[i] + BEHIND * sizes[i]);
-        for set in sets {
-            self.closed = set;
-            let Some(spot) = self.spot(machine, value + step, here)? else { continue };
-            if !spot.violated.is_empty() || !near(&spot) {
-                continue;
-            }
-            self.touched(side, value, here, &before);
-            if self.beyond == Beyond::Ends {
-                self.closed = before;
-                self.push(side, Station { value, spot: None, parted: true });
-                self.push(side, Station { value: to.value, spot: None, parted: true });
-                return Ok(());
-            }
-            let there = self.spot(machine, value, here)?.map(|s| Spot { violated: Vec::new(), ..s });
-            self.push(side, Station { value, spot: there.or(Some(spot)), parted: false });
-            return self.walk(machine, side, to.value);
-        }
-        self.closed = before;
-        self.change(side, value, Event::Ends, here);
-        let (spot, _) = self.anew(machine, value + step, (None, None))?;
-        self.push(side, Station { value: value + step, spot, parted: true });
-        self.walk(machine, side, to.value)
-    }
-
-    /// Notes which contacts close and open.
-    fn touched(&mut self, side: usize, value: f64, at: &[f64], before: &[usize]) {
-        self.change(side, value, Event::Touches, at);
-        let Some(contacts) = &self.contacts else { return };
-        let names =
-            |of: &[usize], other: &[usize]| of.iter().filter(|c| !other.contains(c)).map(|c| contacts.name(*c).to_owned()).collect();
-        let (closes, opens) = (names(&self.closed, before), names(before, &self.closed));
-        if let Some(change) = self.changes.last_mut() {
-            (change.closes, change.opens) = (closes, opens);
-        }
-    }
-
     /// On to a value.
     fn walk(&mut self, machine: &mut LinearMachine, side: usize, to: f64) -> Result<(), Fault> {
         while between(self.last(side).value, to, side) {
@@ -640,115 +556,6 @@ impl Branch {
         let Some(far) = self.spot(machine, behind, &guess)? else { return Ok(None) };
         let spot = self.spot(machine, value, &far.place.q)?;
         Ok(spot.filter(|s| s.unstable == 0 && s.violated.is_empty()))
-    }
-
-    /// A smooth step on which a stable place becomes unstable by a real root.
-    fn fork(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
-        let (mut low, mut high) = (self.last(side), to.clone());
-        for _ in 0..100 {
-            let middle = 0.5 * (low.value + high.value);
-            let (Some(a), Some(b)) = (&low.spot, &high.spot) else { break };
-            if middle == low.value || middle == high.value || (high.value - low.value).abs() <= ZERO * (to.value - self.home).abs() {
-                break;
-            }
-            let Some(spot) = self.spot(machine, middle, &mixed(&a.place.q, &b.place.q, 0.5))? else { break };
-            let station = |spot| Station { value: middle, spot: Some(spot), parted: false };
-            if spot.unstable > 0 { high = station(spot) } else { low = station(spot) }
-        }
-        let at = high.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
-        let step = BEHIND * (to.value - self.home);
-        let found = self.parting(machine, high.value, step, &at)?;
-        let Some(chosen) = self.preferred(&found, &at) else {
-            self.change(side, high.value, Event::Loses, &at);
-            self.push(side, high);
-            self.push(side, to);
-            return Ok(());
-        };
-        self.change(side, high.value, Event::Forks(found.len()), &at);
-        self.push(side, Station { parted: false, ..low });
-        let mut parted = true;
-        for station in found[chosen].iter().filter(|s| !between(to.value, s.value, side)) {
-            self.push(side, Station { parted, ..station.clone() });
-            parted = false;
-        }
-        if parted {
-            let near = found[chosen][0].spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
-            let spot = self.spot(machine, to.value, &near)?;
-            self.push(side, Station { value: to.value, spot, parted });
-        }
-        self.walk(machine, side, to.value)
-    }
-
-    /// The stable places that part from an unstable one behind p*, each as stations outwards.
-    fn parting(&mut self, machine: &mut LinearMachine, fork: f64, step: f64, at: &[f64]) -> Result<Vec<Vec<Station>>, Fault> {
-        let Some(own) = self.spot(machine, fork + step, at)? else { return Ok(Vec::new()) };
-        let slowest = diverging(machine, &own.place)?.into_iter().min_by(|a, b| a.root.0.total_cmp(&b.root.0));
-        let Some(shape) = slowest.map(|m| m.shape.iter().map(|z| z.0).collect::<Vec<f64>>()) else { return Ok(Vec::new()) };
-        let mut found: Vec<Vec<Station>> = Vec::new();
-        let sizes = self.sizes.at(&[at, &self.place.q]);
-        let unit = (0..shape.len()).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs())).map_or(1.0, |i| sizes[i]);
-        let unit = if unit > 0.0 { unit } else { 1.0 };
-        for size in std::iter::successors(Some(1.0), |s| Some(s / 3.0)).take(SEEDS) {
-            for sign in [1.0, -1.0] {
-                let away = sign * size * unit;
-                let guess: Vec<f64> = own.place.q.iter().zip(&shape).map(|(q, v)| q + away * v).collect();
-                let Some(spot) = self.spot(machine, fork + step, &guess)? else { continue };
-                let known = found.iter().filter_map(|f| f.last()?.spot.as_ref()).any(|other| self.same(&other.place.q, &spot.place.q));
-                if spot.unstable > 0 || known || self.same(&spot.place.q, &own.place.q) {
-                    continue;
-                }
-                found.extend(self.inwards(machine, (fork, step), &own, spot)?);
-            }
-        }
-        Ok(found)
-    }
-
-    /// A place followed back towards p*; none where it does not join the other one there.
-    fn inwards(
-        &mut self,
-        machine: &mut LinearMachine,
-        (fork, step): (f64, f64),
-        own: &Spot,
-        spot: Spot,
-    ) -> Result<Option<Vec<Station>>, Fault> {
-        let first = distance(&spot.place.q, &own.place.q);
-        let mut list = vec![Station { value: fork + step, spot: Some(spot), parted: false }];
-        let mut trunk = own.clone();
-        for part in [0.25, 0.0625] {
-            let value = fork + part * step;
-            let Some(next) = self.spot(machine, value, &trunk.place.q)? else { return Ok(None) };
-            let Some(last) = list.last().and_then(|s| s.spot.as_ref()) else { return Ok(None) };
-            let guess: Vec<f64> = (0..next.place.q.len()).map(|i| next.place.q[i] + 0.5 * (last.place.q[i] - trunk.place.q[i])).collect();
-            let Some(spot) = self.spot(machine, value, &guess)? else { return Ok(None) };
-            trunk = next;
-            list.push(Station { value, spot: Some(spot), parted: false });
-        }
-        let last = list.last().and_then(|s| s.spot.as_ref()).map_or(f64::NAN, |s| distance(&s.place.q, &trunk.place.q));
-        list.reverse();
-        Ok((last > 0.0 && last <= 0.5 * first).then_some(list))
-    }
-
-    fn same(&self, a: &[f64], b: &[f64]) -> bool {
-        self.sizes.same([a, b], &self.place.q, ONE_PLACE)
-    }
-
-    /// Of places that part from `at`, that on the side of the file's start; of two alike the one where the coordinate that moves most grows.
-    fn preferred(&self, found: &[Vec<Station>], at: &[f64]) -> Option<usize> {
-        let moved = |list: &Vec<Station>| -> Vec<f64> {
-            let q = list.last().and_then(|s| s.spot.as_ref()).map_or(Vec::new(), |s| s.place.q.clone());
-            q.iter().zip(at).map(|(a, b)| a - b).collect()
-        };
-        let towards = |d: &[f64]| self.starts.first().map_or(0.0, |s| s.iter().zip(at).zip(d).map(|((s, a), d)| (s - a) * d).sum::<f64>());
-        let grows = |d: &[f64]| d.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() * (1.0 + 1e-9) { *v } else { m });
-        let rank = |list: &Vec<Station>| {
-            let d = moved(list);
-            let along = towards(&d);
-            (if along.abs() <= 1e-9 * distance(&d, &vec![0.0; d.len()]) { 0.0 } else { along.signum() }, grows(&d).signum())
-        };
-        (0..found.len()).max_by(|i, j| {
-            let (a, b) = (rank(&found[*i]), rank(&found[*j]));
-            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(j.cmp(i))
-        })
     }
 }
 

@@ -39,6 +39,7 @@ pub fn place(q: &[f64], other: &[f64], coordinates: &[Quantity]) -> Text {
     order.truncate(NAMED);
     order.sort_unstable();
     let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    // a coordinate that is rounding of the others, or of a millimetre or milliradian
     let settled = |v: f64| if v.abs() <= 1e-9 * largest.max(1e-3) { 0.0 } else { v };
     let list: Vec<(String, Text)> =
         order.iter().map(|i| (coordinates[*i].name.clone(), written(settled(q[*i]), &coordinates[*i]))).collect();
@@ -46,7 +47,6 @@ pub fn place(q: &[f64], other: &[f64], coordinates: &[Quantity]) -> Text {
     Text::new(join(|t| &t.en, ", "), join(|t| &t.ru, "; "))
 }
 
-#[expect(clippy::too_many_lines, reason = "a table of sentences")]
 fn note(change: &Change, (parameter, home): (&Quantity, f64), coordinates: &[Quantity]) -> Text {
     let (at, name) = (located(change.value, parameter), &parameter.name);
     let here = place(&change.at, change.behind.as_ref().map_or(&change.at, |b| &b.1), coordinates);
@@ -56,25 +56,7 @@ fn note(change: &Change, (parameter, home): (&Quantity, f64), coordinates: &[Qua
         Text::new(format!("{} at {name} = {}", place.en, value.en), format!("{} при {name} = {}", place.ru, value.ru))
     });
     match (change.event, behind) {
-        (Event::Forks(count), Some(behind)) => {
-            let others = if count > 1 {
-                (", one of several that are stable", ", одного из нескольких устойчивых")
-            } else {
-                ("", "")
-            };
-            Text::new(
-                format!(
-                    "at {name} = {} the place of rest {} loses its stability without oscillation; {} it the numbers are about the stable place that parts from it there \
-                     ({}){}",
-                    at.en, here.en, side.0, behind.en, others.0
-                ),
-                format!(
-                    "при {name} = {} положение равновесия {} теряет устойчивость без колебаний; {} результаты относятся к устойчивому положению, которое от него там \
-                     ответвляется ({}){}",
-                    at.ru, here.ru, side.1, behind.ru, others.1
-                ),
-            )
-        }
+        (Event::Forks(count), Some(behind)) => forks(count, (&at, name), (&here, side), &behind),
         (Event::Joins, Some(behind)) => Text::new(
             format!(
                 "at {name} = {} the place of rest joins another one ({}); {} it the numbers are about that ({})",
@@ -108,25 +90,50 @@ fn note(change: &Change, (parameter, home): (&Quantity, f64), coordinates: &[Qua
                 at.ru, here.ru, side.1, behind.ru
             ),
         ),
-        (_, Some(behind)) => {
-            let from = written(home, parameter);
-            Text::new(
-                format!(
-                    "the place of rest that the machine has at {name} = {} ends at {name} = {} ({}); {} it the numbers are about another place, sought from the start ({})",
-                    from.en, at.en, here.en, side.0, behind.en
-                ),
-                format!(
-                    "положение равновесия, которое машина занимает при {name} = {}, исчезает при {name} = {} ({}); {} результаты относятся к другому положению, найденному от \
-                     начального ({})",
-                    from.ru, at.ru, here.ru, side.1, behind.ru
-                ),
-            )
-        }
+        (_, Some(behind)) => elsewhere(&written(home, parameter), (&at, name), (&here, side), &behind),
         (_, None) => Text::new(
             format!("the place of rest ends at {name} = {} ({}); {} it no place of rest was found", at.en, here.en, side.0),
             format!("положение равновесия исчезает при {name} = {} ({}); {} положений равновесия не найдено", at.ru, here.ru, side.1),
         ),
     }
+}
+
+type Side = (&'static str, &'static str);
+
+/// The place goes on where another one parts from it.
+fn forks(count: usize, (at, name): (&Text, &str), (here, side): (&Text, Side), behind: &Text) -> Text {
+    let others = if count > 1 {
+        (", one of several that are stable", ", одного из нескольких устойчивых")
+    } else {
+        ("", "")
+    };
+    Text::new(
+        format!(
+            "at {name} = {} the place of rest {} loses its stability without oscillation; {} it the numbers are about the stable place that parts from it there \
+             ({}){}",
+            at.en, here.en, side.0, behind.en, others.0
+        ),
+        format!(
+            "при {name} = {} положение равновесия {} теряет устойчивость без колебаний; {} результаты относятся к устойчивому положению, которое от него там \
+             ответвляется ({}){}",
+            at.ru, here.ru, side.1, behind.ru, others.1
+        ),
+    )
+}
+
+/// The place ends, and another one is found from the start.
+fn elsewhere(from: &Text, (at, name): (&Text, &str), (here, side): (&Text, Side), behind: &Text) -> Text {
+    Text::new(
+        format!(
+            "the place of rest that the machine has at {name} = {} ends at {name} = {} ({}); {} it the numbers are about another place, sought from the start ({})",
+            from.en, at.en, here.en, side.0, behind.en
+        ),
+        format!(
+            "положение равновесия, которое машина занимает при {name} = {}, исчезает при {name} = {} ({}); {} результаты относятся к другому положению, найденному от \
+             начального ({})",
+            from.ru, at.ru, here.ru, side.1, behind.ru
+        ),
+    )
 }
 
 /// Contacts that close and open.

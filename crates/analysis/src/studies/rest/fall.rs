@@ -26,6 +26,7 @@ const SLOW: f64 = 1e3;
 /// The place near which the way from q ends; none where it leads nowhere, and where conditions on rates restrain no places.
 pub fn fall(machine: &mut LinearMachine, q: &[f64]) -> Option<Vec<f64>> {
     let mut here = Slope::at(machine, q)?;
+    // a hundredth of its own time: a first step that every way can make
     let mut tau = 1e-2 * time(&here.along)?;
     let angles: Vec<bool> = machine.coordinates().iter().map(|c| c.unit == "rad").collect();
     let mut size = 0.0_f64;
@@ -100,6 +101,7 @@ fn resistance(m: &Matrices) -> Vec<f64> {
     let n = m.n;
     let largest = (0..n).fold(0.0_f64, |l, i| l.max(m.mass[i * n + i]));
     let mut out = m.mass.clone();
+    // some mass, so that the way has a direction there; where it ends does not depend on it
     let least = if largest > 0.0 { 1e-3 * largest } else { 1.0 };
     for entry in (0..n).map(|i| i * n + i) {
         if out[entry] <= 0.0 {

@@ -182,6 +182,7 @@ fn nowhere(equations: &Equations, parameters: &[f64], q: &[f64]) -> Fault {
 }
 
 fn close(a: &[f64], b: &[f64]) -> bool {
+    // one place found twice: Newton leaves far less, places apart differ by more
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())))
 }
 
@@ -330,6 +331,7 @@ fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
         }
     }
     let largest = sizes.iter().fold(0.0_f64, |m, s| m.max(*s));
+    // as in the audits of motions: terms that pass through zero together
     let of = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(1e-3 * largest).max(f64::MIN_POSITIVE) };
     // without any force there is nothing to compare but rounding
     if largest <= 1e-12 { 0.0 } else { residuals.iter().zip(&sizes).map(of).fold(0.0, f64::max) }

@@ -65,6 +65,7 @@ impl Simulate<'_> {
         Simulate {
             until,
             grid: Grid::Auto,
+            // as for a flow
             tolerance: 1e-12,
             outputs: None,
             events: Vec::new(),
@@ -118,6 +119,7 @@ pub(in crate::studies) fn requested(options: &Simulate<'_>, columns: usize) -> R
 
 /// 0, dt, 2 dt, ... rounded once: 3 * 0.1 is 0.3, not 0.30000000000000004.
 fn equidistant(until: f64, dt: f64) -> Vec<f64> {
+    // a quotient of two decimals is a whole number but for rounding
     let whole = |ratio: f64| ((ratio - ratio.round()).abs() <= 1e-12 * ratio).then(|| ratio.round());
     let steps = until / dt;
     let n = whole(steps).unwrap_or(steps.floor()) as u64;

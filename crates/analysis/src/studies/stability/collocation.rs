@@ -20,6 +20,7 @@ const INSTANTS: [usize; 4] = [16, 32, 64, 128];
 const LARGEST: usize = 260;
 /// Share of a coefficient up to which its harmonics that the instants do not resolve may reach, and of the largest one below which it is rounding.
 const RESOLVED: f64 = 1e-10;
+// see above
 const ROUNDING: f64 = 1e-12;
 /// Agreement beyond which nothing is gained.
 const ENOUGH: f64 = 1e-11;

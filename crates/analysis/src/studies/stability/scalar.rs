@@ -175,6 +175,7 @@ impl Scalar {
         let error = match by {
             Criterion::Hill => TRACE * self.trace.abs().max(1.0),
             Criterion::Mathieu => TRACE * self.trace_of_mathieu().abs().max(1.0),
+            // a formula of two coefficients: some ten units of the last place
             Criterion::Classical => 1e-14,
         };
         Verdict::of_excess(self.excess(by), error)

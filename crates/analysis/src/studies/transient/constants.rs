@@ -56,6 +56,7 @@ fn listed<'p>(mode: &'p Mode, form: &Form, start: f64) -> Listed<'p> {
 /// A load that goes on is written over t, one that restarts over τ.
 fn forcing(harmonic: Harmonic, start: f64) -> Forcing {
     use std::f64::consts::{PI, TAU};
+    // a phase at the start is a product of a frequency and an instant
     let rounding = 1e-13 * (1.0 + harmonic.p * start);
     let tidy = |delta: f64| {
         let turned = delta - TAU * (delta / TAU).round();

@@ -12,6 +12,7 @@ use algebra::complex::Complex;
 use algebra::eigen::{general, symmetric};
 use algebra::expm;
 use algebra::lu::Lu;
+use algebra::vectors::dot;
 use words::{Message, Text};
 
 /// The motion within a phase, τ from its start.
@@ -103,7 +104,6 @@ fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
     }
     let (k2, shapes) = generalized(&form.mass, &form.stiffness, n)?;
     let times = |a: &[f64], v: &[f64]| -> Vec<f64> { (0..n).map(|i| (0..n).map(|j| a[i * n + j] * v[j]).sum()).collect() };
-    let dot = |u: &[f64], v: &[f64]| -> f64 { u.iter().zip(v).map(|(a, b)| a * b).sum() };
     let drags: Vec<Vec<f64>> = shapes.iter().map(|s| times(&form.damping, s)).collect();
     let damping: Vec<f64> = shapes.iter().zip(&drags).map(|(s, d)| dot(s, d)).collect();
     for i in 0..n {
@@ -250,6 +250,7 @@ impl Joint {
         for &tau in taus {
             let delta = tau - before;
             if delta != 0.0 {
+                // equal steps, but for rounding of the instants
                 let known = step.as_ref().is_some_and(|(d, _)| (d - delta).abs() <= 1e-13 * tau.abs());
                 if !known {
                     step = expm::exponential(&self.matrix, self.size, delta).map(|e| (delta, e));

@@ -29,6 +29,7 @@ pub fn place<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &
         if !largest(&step).is_finite() {
             break;
         }
+        // a nanometre or nanoradian: a place at the origin has no size
         if largest(&step) <= 8.0 * f64::EPSILON * largest(&q).max(1e-9) {
             return Ok(q);
         }
@@ -42,6 +43,7 @@ fn newton(form: &Form, mean: &[f64], q: &[f64]) -> Option<Vec<f64>> {
     let rest: Vec<f64> = (0..n).map(|i| mean[i] - (0..n).map(|j| form.stiffness[i * n + j] * q[j]).sum::<f64>()).collect();
     Lu::new(&form.stiffness, n).solve(&rest).or_else(|| {
         let size = |a: &[f64]| a.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        // so little that what is held moves by rounding, so much that what is free has a pivot
         let share = 1e-9 * size(&form.stiffness) / size(&form.mass);
         let c: Vec<f64> = form.stiffness.iter().zip(&form.mass).map(|(c, m)| c + share * m).collect();
         Lu::new(&c, n).solve(&rest)
@@ -53,6 +55,7 @@ fn balanced(form: &Form, mean: &[f64], q: &[f64]) -> bool {
     mean.iter().enumerate().all(|(i, load)| {
         let terms = q.iter().zip(&form.stiffness[i * form.n..]).map(|(q, c)| c * q);
         let (sum, size) = terms.fold((-load, load.abs()), |(sum, size), t| (sum + t, size + t.abs()));
+        // a place in balance leaves rounding of its terms
         sum.abs() <= 1e-10 * size
     })
 }

@@ -74,6 +74,7 @@ impl<'m> Places<'m> {
         for j in 1..=TERMS {
             term = times(self.joint.matrix(), &term);
             term.iter_mut().for_each(|v| *v *= d / j as f64);
+            // below a hundredth of the last place nothing is added any more
             let counts = term.iter().zip(&sum).any(|(t, s)| t.abs() > 1e-18 * s.abs());
             sum.iter_mut().zip(&term).for_each(|(s, t)| *s += t);
             if !counts {

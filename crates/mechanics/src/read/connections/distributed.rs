@@ -4,7 +4,7 @@
 //! the directions of q_A and q_B. A uniform load is q L at the middle.
 
 use crate::connections::{Space, frame, point};
-use crate::elements::{Force, element};
+use crate::elements::{FORCES, Force, element};
 use crate::fields::DISTRIBUTED;
 use crate::formula::Context;
 use crate::model::{Element, FrameId, Point, PointId, PointRef};
@@ -38,7 +38,7 @@ pub(in crate::read) fn distributed<'a>(
             let id = PointId(known + found.1.len());
             found.1.push(Point { name: name.clone(), on: load.on, at, span: fields.span.clone() });
             let force = Force::AtPoint { at: PointRef::Point(id), value, axes: load.axes };
-            let part = element("forces", name, force, fields.span.clone());
+            let part = element(FORCES, name, force, fields.span.clone());
             found.0.push(Element { path: whole.clone(), label: label.clone(), ..part });
         }
     }

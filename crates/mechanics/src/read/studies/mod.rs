@@ -42,7 +42,7 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kinds: &Kinds) -> Opt
     let (name, span) = string(reader, fields.get("kind")?, "a string", "строка")?;
     if let Some(kind) = kinds.find(&name) {
         misplaced(reader, fields, (kind, kinds));
-        return Some(asked(reader, fields, kind));
+        return Some(asked(reader, fields, (kind, kinds)));
     }
     let names: Vec<&str> = kinds.list.iter().map(|kind| kind.name).collect();
     let fault = Notice::piece("M064", span, format!("unknown study `{}`", short(&name)), format!("неизвестный расчёт `{}`", short(&name)));
@@ -70,7 +70,7 @@ fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (kind, kinds): (&
 }
 
 /// The values, key by key, and what they contradict.
-fn asked<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &Kind) -> Asked {
+fn asked<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (kind, kinds): (&Kind, &Kinds)) -> Asked {
     let mut asked = Asked::new(kind.name);
     asked.span = fields.span.clone();
     for key in kind.keys.iter().filter(|key| fields.has(key.name)) {
@@ -87,7 +87,7 @@ fn asked<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &Kind) -> Asked
             reader.fault(Notice::piece(code, fields.span_of(key), en, ru).help("keep one", "оставьте одно"));
         }
         if asked.has(key.name)
-            && let Some(value) = value(reader, fields, (key, &asked))
+            && let Some(value) = value(reader, fields, (key, &asked), kinds)
         {
             asked.set(key.name, value);
         }
@@ -112,7 +112,7 @@ fn lacking(fields: &Fields<'_>, kind: &Kind, key: &Key) -> Notice {
 }
 
 /// The value of a key; those that stand before it in the kind's list are known.
-fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key, &Asked)) -> Option<Value> {
+fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key, &Asked), kinds: &Kinds) -> Option<Value> {
     let (name, raw) = (key.name, fields.get(key.name)?);
     match key.takes {
         Takes::End | Takes::Duration => times::duration(reader, fields, name).map(Value::Number),
@@ -154,7 +154,7 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
         Takes::Formulas => Some(Value::Formulas(formulas(reader, raw))),
         Takes::FrequencyVariable => frequencies::variable(reader, fields, name).map(Value::Variable),
         Takes::Ranges => Some(Value::Ranges(repeated::ranges(reader, raw))),
-        Takes::KindOf(list) => repeated::kind(reader, fields, (name, list)).map(Value::Word),
+        Takes::Repeatable => repeated::kind(reader, fields, (name, kinds)).map(Value::Word),
     }
 }
 

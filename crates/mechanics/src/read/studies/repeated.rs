@@ -1,5 +1,6 @@
 //! What a study is repeated over, and which study that is.
 
+use crate::asked::Kinds;
 use crate::formula::{EntryKind, Kind};
 use crate::model::SweepRange;
 use crate::read::ranges;
@@ -17,9 +18,10 @@ pub(super) fn one_or_many<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> 
     names(reader, value).into_iter().map(|(name, _)| name).collect()
 }
 
-/// The name of a kind of study, one of a list.
-pub(super) fn kind<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, list): (&'static str, &[&str])) -> Option<String> {
+/// The name of a kind of study that may be repeated.
+pub(super) fn kind<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, kinds): (&'static str, &Kinds)) -> Option<String> {
     let (kind, span) = fields.name(reader, key)?;
+    let list: Vec<&str> = kinds.list.iter().filter(|kind| kind.repeatable).map(|kind| kind.name).collect();
     if list.contains(&kind.as_str()) {
         return Some(kind);
     }

@@ -5,6 +5,7 @@ use crate::reader::syntax::Value;
 use crate::reader::{Fields, Reader, wrong_type};
 use crate::units::Dimension;
 use words::Notice;
+use words::limits::TOLERANCES;
 
 /// More rows than this do not fit a useful result.
 const MAX_ROWS: f64 = 1e7;
@@ -44,13 +45,29 @@ pub(super) fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'s
 pub(super) fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
     let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::NONE))?;
     let number = reader.number(&value)?;
-    if !(1e-15..=1e-3).contains(&number) {
+    if !TOLERANCES.contains(&number) {
         reader.fault(
             Notice::piece(
                 "M065",
                 fields.span_of(key),
-                format!("the tolerance is {number:e}; it must lie between 1e-15 and 1e-3"),
-                format!("допустимая погрешность {number:e}; она должна лежать между 1e-15 и 1e-3"),
+                format!(
+                    concat!(
+                        "the tolerance is {:e}; it must lie between ",
+                        words::finest_tolerance!(),
+                        " and ",
+                        words::coarsest_tolerance!()
+                    ),
+                    number
+                ),
+                format!(
+                    concat!(
+                        "допустимая погрешность {:e}; она должна лежать между ",
+                        words::finest_tolerance!(),
+                        " и ",
+                        words::coarsest_tolerance!()
+                    ),
+                    number
+                ),
             )
             .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
         );

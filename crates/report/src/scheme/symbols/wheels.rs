@@ -113,6 +113,7 @@ fn chain(place: &Place, ink: &mut Ink) {
 
 /// A tangent on one side; `kind` 1 for outer ones, -1 for inner ones.
 fn tangent(place: &Place, kind: f64, side: f64) -> [P; 2] {
+    // wheels about one centre have no direction: no quotient by nothing, in pixels
     let (along, d) = (direction(place.at, place.to), distance(place.at, place.to).max(1e-9));
     let sine = ((place.size - kind * place.other) / d).clamp(-1.0, 1.0);
     let normal = along + side * (FRAC_PI_2 - sine.asin());
@@ -121,6 +122,7 @@ fn tangent(place: &Place, kind: f64, side: f64) -> [P; 2] {
 }
 
 fn strands(place: &Place, ink: &mut Ink, (weight, kind): (Weight, f64)) {
+    // wheels about one centre have no direction: no quotient by nothing, in pixels
     let (along, d) = (direction(place.at, place.to), distance(place.at, place.to).max(1e-9));
     let slope = ((place.size - kind * place.other) / d).clamp(-1.0, 1.0).asin();
     for side in [1.0, -1.0] {
