@@ -200,7 +200,7 @@ mod tests {
     /// DLMF 28.8.1: a_m(q), b_(m+1)(q) ~ -2h² + 2sh - (s² + 1)/8 - (s³ + 3s)/(2⁷ h) - ..., h = √q, s = 2m + 1; the next term is of order h⁻².
     #[test]
     fn large_parameters_approach_the_asymptotic_series() {
-        for (m, q) in [(0, 1e4), (3, 1e4), (5, 1e6), (1, 1e8)] {
+        for (m, q) in [(0_usize, 1e4_f64), (3, 1e4), (5, 1e6), (1, 1e8)] {
             let (h, s) = (q.sqrt(), (2 * m + 1) as f64);
             let series = -2.0 * h * h + 2.0 * s * h - (s * s + 1.0) / 8.0 - (s * s * s + 3.0 * s) / (128.0 * h);
             let next = (5.0 * s.powi(4) + 34.0 * s * s + 9.0) / (4096.0 * h * h);

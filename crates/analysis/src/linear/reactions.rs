@@ -158,16 +158,7 @@ impl LinearMachine {
             roots.extend(by.map(|e| (format!("row {row}"), *e)));
             roots.extend(own.swings.iter().map(|(.., e)| (format!("swing {row}"), *e)));
             swings.push(own.swings.iter().map(|(level, j, _)| (*level, *j)).collect());
-            let excited = match load {
-                None => own,
-                Some(parts) => {
-                    let (list, i) = if row < n { (&parts.forces, row) } else { (&parts.released, row - n) };
-                    let terms: Vec<Expr> = list.iter().filter(|(k, _)| *k == i).map(|(_, e)| *e).collect();
-                    let sum = self.linear.graph.sum(&terms);
-                    let against = self.linear.graph.neg(sum);
-                    self.linear.output(&equations, against)
-                }
-            };
+            let excited = load.map_or(own, |parts| self.excited(parts, row));
             roots.push((format!("load {row}"), excited.mean));
             for wave in &excited.waves {
                 roots.extend([wave.rate, wave.cos, wave.sin].map(|e| (format!("wave {row}"), e)));
@@ -191,6 +182,17 @@ impl LinearMachine {
             slopes,
             named: load.is_some(),
         }))
+    }
+
+    /// What a load alone gives to a row.
+    fn excited(&mut self, load: &LoadParts, row: usize) -> LinearOutput {
+        let equations = Arc::clone(&self.equations);
+        let n = equations.coordinates.len();
+        let (list, i) = if row < n { (&load.forces, row) } else { (&load.released, row - n) };
+        let terms: Vec<Expr> = list.iter().filter(|(k, _)| *k == i).map(|(_, e)| *e).collect();
+        let sum = self.linear.graph.sum(&terms);
+        let against = self.linear.graph.neg(sum);
+        self.linear.output(&equations, against)
     }
 
     /// Adds the inertia and the loads of each equation of motion and of each balance to its sum.

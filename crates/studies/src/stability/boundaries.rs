@@ -35,8 +35,9 @@ pub(super) fn roots<E>(samples: &[(f64, f64)], smooth: Smooth, mut f: impl FnMut
     let mut found = Vec::new();
     for (i, pair) in samples.windows(2).enumerate() {
         let ([a, b], sign) = ([pair[0], pair[1]], pair[0].1 > 0.0);
+        let [here, back] = if sign { [Side::Falls, Side::Rises] } else { [Side::Rises, Side::Falls] };
         if sign != (b.1 > 0.0) {
-            found.push(root(a.0, b.0, sign, &mut f)?);
+            found.push(root((a.0, b.0), here, &mut f)?);
             continue;
         }
         // an extreme towards zero within the two intervals beside sample i + 1 is looked for once, at the sample
@@ -48,8 +49,8 @@ pub(super) fn roots<E>(samples: &[(f64, f64)], smooth: Smooth, mut f: impl FnMut
         let (x, value) = extreme((a.0, next.0), towards, &mut f)?;
         let size = a.1.abs().max(next.1.abs()).max(1.0);
         if towards * value > PASSES * size {
-            found.push(root(a.0, x, sign, &mut f)?);
-            found.push(root(x, next.0, !sign, &mut f)?);
+            found.push(root((a.0, x), here, &mut f)?);
+            found.push(root((x, next.0), back, &mut f)?);
         }
     }
     found.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -65,16 +66,16 @@ pub(super) enum Smooth {
     No,
 }
 
-fn root<E>(mut low: f64, mut high: f64, sign: bool, f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<Root, E> {
+fn root<E>((mut low, mut high): (f64, f64), side: Side, f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<Root, E> {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         // some ten units of the last place: nothing more is to be halved
         if middle <= low || middle >= high || high - low <= 1e-14 * middle.abs() {
             break;
         }
-        if (f(middle)? > 0.0) == sign { low = middle } else { high = middle }
+        if (f(middle)? > 0.0) == (side == Side::Falls) { low = middle } else { high = middle }
     }
-    Ok(Root { at: 0.5 * (low + high), rises: if sign { Side::Falls } else { Side::Rises } })
+    Ok(Root { at: 0.5 * (low + high), rises: side })
 }
 
 /// Place and value of the largest `towards * f` between two places.

@@ -85,7 +85,7 @@ fn of(period: f64, rows: &[Vec<f64>], (n, count): (usize, usize)) -> Result<Vec<
 /// The derivative of the trigonometric polynomial that is 1 at instant k and 0 at the others, at instant j, for the period 2π.
 fn derivative(j: usize, k: usize, count: usize) -> f64 {
     let half = TAU * (j as f64 - k as f64) / (2.0 * count as f64);
-    let sign = if (j + k) % 2 == 0 { 0.5 } else { -0.5 };
+    let sign = if (j + k).is_multiple_of(2) { 0.5 } else { -0.5 };
     sign / elementary::tan(half)
 }
 

@@ -99,7 +99,7 @@ pub fn verdict(multipliers: &[Multiplier]) -> Verdict {
 
 /// Whether all lie on the unit circle, apart from one another, none at ±1.
 fn stay(own: &[&Multiplier]) -> bool {
-    let on_circle = |m: &&&Multiplier| (m.abs() - 1.0).abs() <= m.error.max(NEUTRAL).min(RECIPROCAL);
+    let on_circle = |m: &&&Multiplier| (m.abs() - 1.0).abs() <= m.error.clamp(NEUTRAL, RECIPROCAL);
     let distance = |a: &Multiplier, b: &Multiplier| elementary::hypot(a.re - b.re, a.im - b.im);
     let apart = |i: usize| own[..i].iter().all(|other| distance(own[i], other) > APART.max(2.0 * own[i].error));
     own.iter().filter(on_circle).count() == own.len() && (0..own.len()).all(apart) && own.iter().all(|m| m.im != 0.0)

@@ -3,7 +3,7 @@
 use super::random::{arity_holds, well_formed};
 use super::reading::read;
 use crate::formula::{Form, Placement, Printer};
-use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Parameter, StepFormula, StepName};
+use symbolic::equations::{Auxiliary, Coordinate, Definition, Equality, Parameter, StepFormula, StepName};
 use symbolic::{Equations, Expr, Graph};
 use words::{Language, Text};
 
