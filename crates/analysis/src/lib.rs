@@ -16,7 +16,6 @@ pub mod fault;
 pub mod integrate;
 pub mod linear;
 pub mod machine;
-#[cfg(debug_assertions)]
 pub mod made;
 pub mod marks;
 mod naming;

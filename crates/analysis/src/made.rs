@@ -1,19 +1,30 @@
 //! The studies of machines, made here once.
 //!
-//! Studies are generic over what moves. Below the optimisation of a release a crate takes over what a crate below it has made of a generic function; so what is named here is
-//! compiled with this crate and not again with each crate and each test above it. A release, which makes its own, has nothing of this file.
+//! Studies are generic over what moves. What is called by these names is compiled with this crate, for speed, and not again with each crate and each test above it, of which a
+//! release makes small programs.
 
+use crate::dataset::Dataset;
+use crate::marks::pushes::Push;
 use crate::studies::claims::{Draw, samples};
+use crate::studies::cycle::{Cycle, Running, running};
 use crate::studies::equilibrium::{Equilibrium, equilibrium};
 use crate::studies::periodic::{self, Periodic, periodic};
 use crate::studies::poincare::{Poincare, poincare};
-use crate::studies::simulate::{Outcome, Simulate, simulate};
+use crate::studies::pushed::over_cycle;
+use crate::studies::simulate::{Outcome, Simulate, confirm, simulate};
 use crate::studies::transient::{self, Transient, transient};
 use crate::{Fault, Machine};
 use symbolic::Equations;
+use words::Text;
 
 /// A motion.
 pub static SIMULATE: fn(&mut Machine, &[f64], Simulate<'_>) -> Outcome = simulate::<Machine>;
+/// A motion once more, and which digits hold.
+pub static CONFIRM: fn(&mut Machine, &[f64], &mut Simulate<'_>, &mut Dataset) = confirm::<Machine>;
+/// The running of a cycle.
+pub static RUNNING: fn(&mut Machine, &[f64], &Cycle) -> Result<Running, Fault> = running::<Machine>;
+/// What only pushes over a cycle.
+pub static OVER_CYCLE: fn(&mut Machine, &[f64], &Cycle, &[Push]) -> Result<Vec<Text>, Fault> = over_cycle::<Machine>;
 /// A motion in closed form.
 pub static TRANSIENT: fn(&mut Machine, &Equations, &[f64], Transient<'_>) -> transient::Found = transient::<Machine>;
 /// A periodic regime.

@@ -361,7 +361,7 @@ fn pulling(machine: &mut Machine, study: &Cycle) -> Result<Vec<Text>, analysis::
     let start = begun(machine, study)?;
     let pushes = crate::plan::pushes(&machine.model, &machine.equations);
     let options = turning(machine, study, &start);
-    analysis::studies::pushed::over_cycle(&mut machine.system, &start, &options, &pushes)
+    (analysis::made::OVER_CYCLE)(&mut machine.system, &start, &options, &pushes)
 }
 
 /// The machine with its shaft held to the uniform rate by one more condition, so that ropes are taut and contacts closed as they are in uniform
@@ -510,7 +510,7 @@ const GROWN: usize = 16;
 fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Notice> {
     let start = begun(machine, study).map_err(|fault| explained(fault, &machine.equations))?;
     let options = turning(machine, study, &start);
-    analysis::studies::cycle::running(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
+    (analysis::made::RUNNING)(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
 }
 
 /// Where that motion begins; a shaft that the file starts at rest has the uniform rate there, with the rates of all else that go with it.

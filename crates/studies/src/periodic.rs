@@ -314,7 +314,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         coefficients: study.coefficients,
         ..Options::default()
     };
-    let mut outcome = analysis::studies::periodic::periodic(&mut machine.system, start, &options);
+    let mut outcome = (analysis::made::PERIODIC)(&mut machine.system, start, &options);
     let forced = outcome.fault.as_ref().is_some_and(|f| f.code == "S043");
     if forced && study.period.is_some() && study.section != Section::Time {
         // the period is given, and it is the section that cannot be

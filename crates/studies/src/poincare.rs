@@ -10,7 +10,7 @@ use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
-use analysis::studies::poincare::{Poincare, Section, poincare};
+use analysis::studies::poincare::{Poincare, Section};
 use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes, Value, Way, Words, Written};
 use mechanics::model::{Plot, Times};
 use report::figure::Pen;
@@ -202,7 +202,7 @@ fn points(machine: &Machine, asked: &Asked, results: &mut Results, watch: &mut W
     motion.events = plan::events(&machine.model, &equations);
     motion.pushes = plan::pushes(&machine.model, &equations);
     let options = Poincare { section, settle: asked.number("settle").unwrap_or(0.0), points: count, motion };
-    let outcome = poincare(&mut system, &start, options);
+    let outcome = (analysis::made::POINCARE)(&mut system, &start, options);
     let found = outcome.dataset.columns.first().map_or(0, |c| c.values.len());
     results.data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     results.words.push(Text::new(format!("Section points: {found}."), format!("Точек сечения: {found}.")));

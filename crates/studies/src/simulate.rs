@@ -9,7 +9,6 @@ use crate::results::{Alone, Strips, fields, figures};
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
-use analysis::studies;
 use analysis::studies::simulate::{Grid, Outcome, Simulate as Options};
 use mechanics::asked::{Asked, Kind, Value, Words};
 use mechanics::model::{Plot, Times};
@@ -202,7 +201,7 @@ fn confirm(machine: &mut Machine, study: &Simulate, mut results: Results, watch:
         let mut options = options(study, watch);
         options.events = plan::events(&machine.model, &machine.equations);
         options.pushes = plan::pushes(&machine.model, &machine.equations);
-        studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut results.data);
+        (analysis::made::CONFIRM)(&mut machine.system, &start, &mut options, &mut results.data);
         watch.lap(Lap::Run);
     }
     results
@@ -226,7 +225,7 @@ pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], wat
     options.events = plan::events(&machine.model, &machine.equations);
     options.pushes = plan::pushes(&machine.model, &machine.equations);
     let outcome = match moving(&machine.equations).and_then(|()| machine.system.start()) {
-        Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
+        Ok(start) => (analysis::made::SIMULATE)(&mut machine.system, &start, options),
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     };
     watch.lap(Lap::Run);

@@ -113,7 +113,7 @@ pub fn solved(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> (R
     let pushes = plan::pushes(&machine.model, &machine.equations);
     let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise, pushes };
     let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {
-        Ok(start) => analysis::studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
+        Ok(start) => (analysis::made::TRANSIENT)(&mut machine.system, &machine.equations, &start, options),
         Err(fault) => Closed { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
     };
     watch.lap(Lap::Run);
