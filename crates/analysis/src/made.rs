@@ -24,7 +24,7 @@ pub static CONFIRM: fn(&mut Machine, &[f64], &mut Simulate<'_>, &mut Dataset) = 
 /// The running of a cycle.
 pub static RUNNING: fn(&mut Machine, &[f64], &Cycle) -> Result<Running, Fault> = running::<Machine>;
 /// What only pushes over a cycle.
-pub static OVER_CYCLE: fn(&mut Machine, &[f64], &Cycle, &[Push]) -> Result<Vec<Text>, Fault> = over_cycle::<Machine>;
+pub static OVER_CYCLE: fn(&mut Machine, &[f64], &Cycle, &[Push]) -> Remarks = over_cycle::<Machine>;
 /// A motion in closed form.
 pub static TRANSIENT: fn(&mut Machine, &Equations, &[f64], Transient<'_>) -> transient::Found = transient::<Machine>;
 /// A periodic regime.
@@ -37,3 +37,4 @@ pub static EQUILIBRIUM: fn(&mut Machine, &[f64], &Equilibrium) -> Outcome = equi
 pub static SAMPLES: fn(&mut Machine, &[f64], Draw) -> States = samples::<Machine>;
 
 type States = Result<Vec<Vec<f64>>, Fault>;
+type Remarks = Result<Vec<Text>, Fault>;
