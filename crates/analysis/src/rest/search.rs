@@ -87,7 +87,7 @@ const STEPS: usize = 200;
 /// Distance of two places that are one, relative to the sizes of the coordinates.
 pub(crate) const ONE: f64 = 1e-7;
 
-/// Forces relative to the terms that balance in them, where Newton's method comes to no better place: a hundred roundings.
+/// Forces relative to the terms that balance in them, where Newton's method comes to no better place: some hundred roundings.
 const BALANCED: f64 = 1e-13;
 
 /// The same for the audit.

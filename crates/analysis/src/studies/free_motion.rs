@@ -239,7 +239,7 @@ pub(super) fn at_zero(matrices: [&[f64]; 3], n: usize, sigma: f64, load: &[Compl
     let term = |order: usize| -> Option<Vec<Complex>> {
         let t = found.terms.get(found.pole.checked_sub(order)?)?;
         let unit = elementary::powi(sigma, i32::try_from(order).ok()?);
-        // some ten units of the last place of the largest entry
+        // some dozens of units of the last place of the largest entry
         let noise = 1e-14 * largest(&t.data);
         let entry = |i: usize, c: usize| if t.at(i, c).abs() <= noise { 0.0 } else { t.at(i, c) * unit * columns[i] };
         let turned = |(x, y): Complex| match order % 4 {

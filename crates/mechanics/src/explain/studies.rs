@@ -42,8 +42,8 @@ pub const STUDIES: &[Explanation] = &[
         "M064",
         ("unknown study", "неизвестный расчёт"),
         (
-            "Studies are equations, equilibrium, simulate, transient, inverse, statics, kinematics, periodic, cycle, modes, response and sweep.",
-            "Расчёты: equations, equilibrium, simulate, transient, inverse, statics, kinematics, periodic, cycle, modes, response и sweep.",
+            "`kind` is not the name of a study. docs/model-file/studies.md has all of them with their keys, and `strutt help` lists their commands.",
+            "`kind` – не название расчёта. Все расчёты с их ключами перечислены в docs/model-file/studies.ru.md, их команды – в `strutt help`.",
         ),
         "kind = \"simulat\"",
         "kind = \"simulate\"",

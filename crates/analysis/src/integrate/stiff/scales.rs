@@ -13,7 +13,7 @@ const UNIT_SHARE: f64 = 1e-8;
 /// Multiple of the noise that the control does not look below.
 const NOISY: f64 = 4.0;
 
-/// A state that has decayed to this is zero: below the smallest normal number there are no digits to control.
+/// A state that has decayed to this is zero: products of it with a tolerance (1e-15) stay above the smallest normal number, 2e-308.
 pub(super) const NOTHING: f64 = 1e-280;
 
 /// A_i with the groups of states that have one unit.
