@@ -1,7 +1,7 @@
 //! Integration of motions: steps of Taylor series with dense output, an implicit method beside them for stiff motions, and what happens at events.
 //!
 //! A motion is a row of steps ([`Step`]); [`taylor`] makes them and asks [`stiff`] where an explicit step would be too short; at a switch, an impact or the end of
-//! sliding, which [`crossings`] find, [`events`] decides the modes of the next step.
+//! sliding, which [`crossings`] find, `events` decides the modes of the next step.
 
 pub mod crossings;
 mod events;

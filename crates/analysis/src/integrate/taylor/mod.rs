@@ -8,7 +8,7 @@
 //! 2. first sign change of a guard on the step shortens it;
 //! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
 //!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
-//! 4. at an event the modes are decided anew ([`crate::integrate::events`]).
+//! 4. at an event the modes are decided anew (`crate::integrate::events`).
 
 mod accept;
 mod flow;
