@@ -1,6 +1,6 @@
-//! Keys that several studies share.
+//! Keys that several studies share, and what is objected to them.
 
-use mechanics::asked::{Choice, Key, Limits, Takes, Way};
+use mechanics::asked::{Asked, Choice, Key, Limits, Objection, Takes, Way};
 
 /// End of a motion.
 pub const UNTIL: Key = Key::new("until", Takes::End, ("end of the motion", "конец движения"), "\"30 s\"")
@@ -141,3 +141,9 @@ pub const PERIOD: Key = Key::new(
 pub const SETTLE: Key = Key::new("settle", Takes::Wait, ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\"")
     .default("0", "0")
     .option("Ordinary motion before the search", "Обычное движение перед поиском");
+
+/// An objection to turns of a section that is no angle; a section that could not be read has its own.
+pub fn turns_of_no_angle(asked: &Asked) -> Option<Objection> {
+    let is_read = !asked.has("section") || asked.get("section").is_some();
+    (asked.has("turns") && asked.coordinate("section").is_none() && is_read).then(|| Objection::no_angle("turns"))
+}

@@ -1,6 +1,6 @@
 //! The study `periodic`: the exact periodic regime, and the parameter that gives a wanted period.
 
-use super::keys::{AT, EVERY, OUTPUTS, PERIOD, PLOT, SECTION, SETTLE, TOLERANCE, TURNS};
+use super::keys::{AT, EVERY, OUTPUTS, PERIOD, PLOT, SECTION, SETTLE, TOLERANCE, TURNS, turns_of_no_angle};
 use super::section::of_state;
 use super::{Conclusion, Fact, Finds, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::machine::{Machine, explained};
@@ -154,9 +154,7 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 ),
         );
     }
-    if asked.has("turns") && asked.coordinate("section").is_none() && (!asked.has("section") || asked.get("section").is_some()) {
-        found.push(Objection::no_angle("turns"));
-    }
+    found.extend(turns_of_no_angle(asked));
     found
 }
 

@@ -12,7 +12,7 @@ mod show;
 mod single;
 mod walk;
 
-use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS};
+use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, turns_of_no_angle};
 use super::{Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
 use crate::Failure;
 use crate::machine::{self, Machine};
@@ -127,9 +127,7 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 .help("keep one", "оставьте одно"),
         );
     }
-    if asked.has("turns") && asked.coordinate("section").is_none() && (!asked.has("section") || asked.get("section").is_some()) {
-        found.push(Objection::no_angle("turns"));
-    }
+    found.extend(turns_of_no_angle(asked));
     found
 }
 

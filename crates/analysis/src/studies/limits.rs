@@ -122,13 +122,15 @@ fn little(share: f64, omega: f64) -> Text {
 
 /// S108 of an output.
 pub(super) fn unsteady(name: &str, share: f64) -> Fault {
-    let share = rounded(share);
-    let size = match share.en.contains("inf") {
-        true => Text::new("its mean is zero", "его среднее равно нулю"),
-        false => Text::new(
-            format!("the oscillating part makes up to {} of the amplitude by the mean", share.en),
-            format!("колеблющаяся часть даёт до {} от амплитуды, найденной по среднему", share.ru),
-        ),
+    let size = match share.is_finite() {
+        false => Text::new("its mean is zero", "его среднее равно нулю"),
+        true => {
+            let share = rounded(share);
+            Text::new(
+                format!("the oscillating part makes up to {} of the amplitude by the mean", share.en),
+                format!("колеблющаяся часть даёт до {} от амплитуды, найденной по среднему", share.ru),
+            )
+        }
     };
     Fault::new(Message {
         code: "S108",
