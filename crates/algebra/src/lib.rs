@@ -3,8 +3,8 @@
 //!
 //! It knows no mechanics and no time, no words for users and no files: what goes wrong is a [`Trouble`], which its callers put into words.
 //!
-//! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
-//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - [`refine`], [`lanczos`], [`eigen`], [`certify`] (eigenproblems) -
+//! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
+//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`certify`] (eigenproblems) -
 //! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients) - [`bernstein`], [`gauss`], [`simplex`], [`random`].
 
 // the same bits on every machine: see clippy.toml

@@ -1,9 +1,9 @@
 //! Analysis: what a study may see of a machine ([`System`]), what it returns ([`Dataset`]), the Taylor integrator with events, an
 //! implicit method for stiff motions beside it, and one file per study. Nothing here prints, writes files or knows mechanics.
 //!
-//! Rooms, in order of reading: [`system`], [`dataset`], [`fault`] (what is seen, what is told, what goes wrong) - [`connections`], [`machine`] (assembly; a program as a
+//! Rooms, in order of reading: [`system`], [`dataset`], [`reduce`], `naming`, [`fault`], [`explain`] (what is seen, what is told, what goes wrong) - [`connections`], [`machine`] (assembly; a program as a
 //! system) - [`integrate`] (steps, events, stiff motions) - [`proxies`], [`marks`], [`waveform`], [`peaks`] (quantities along a step) - [`audits`] - [`rest`] (equations of
-//! rest) - [`linear`] (small motions) - [`studies`].
+//! rest) - [`linear`] (small motions) - [`studies`], [`made`] (the studies of machines, compiled here once).
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]

@@ -25,7 +25,7 @@ mod touches;
 mod touching;
 
 use program::lower::Selection;
-use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, Tangent, passes};
+use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, RESOLUTION, Tangent, passes};
 use symbolic::Equations;
 use symbolic::connections::Law;
 use words::Text;
@@ -38,9 +38,6 @@ use conditions::Conditions;
 use flows::Flows;
 use meaning::{Refusal, impulse, is_tie, kind, layout, outputs, placements, reads_accelerations, refused, rubbing, states};
 use solved::Solved;
-
-/// Within which the instant of an event is known, relative to it.
-const RESOLUTION: f64 = 32.0 * f64::EPSILON;
 
 /// A program with parameters, seen by studies.
 #[derive(Clone, Debug)]

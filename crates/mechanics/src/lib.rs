@@ -1,8 +1,9 @@
 //! Mechanics: the model file, units, diagnostics, and the derivation of equations of motion. It does not evaluate states and draws
 //! nothing.
 //!
-//! In the order of reading: `units`, `keys` and `formula`, what stands in a file; `model`, what it means; `reader`, `elements`, `connections` and `read`, from the
-//! one to the other; `scene`, places and velocities; `derive`, the equations; `reference`, the tables as documents.
+//! Rooms, in order of reading: [`units`], `keys`, [`fields`], [`asked`], [`formula`], `snippet` (what stands in a file) - [`model`], [`structure`], [`section`], [`variants`] (what it
+//! means) - `reader`, [`elements`], [`connections`], `read` (from the one to the other) - `scene` (places and velocities), `requests` (what formulas ask of them) - [`derive`] (the
+//! equations) - [`mod@reference`], [`explain`] (tables and codes as documents).
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]

@@ -9,7 +9,7 @@
 //! A, L and U are kept as lists of entries that are not zero: a row of a mechanism has few. Rows are worked through in the order of the columns, so that sums are
 //! those of the whole rows.
 
-use crate::solve::Defect;
+use crate::solve::{Defect, SINGULAR};
 use crate::spare::{Spare, leave_out};
 
 /// A factored matrix; reused from call to call without allocation.
@@ -47,8 +47,6 @@ pub(crate) struct General {
     whole: Vec<f64>,
 }
 
-/// A pivot below this part, times n, of its scale has lost all digits to cancellation.
-const SINGULAR: f64 = 4.0 * f64::EPSILON;
 /// A column without a pivot.
 const OPEN: u32 = u32::MAX;
 

@@ -10,7 +10,7 @@
 //! its Jacobian. Switches are [`GuardOrigin`]s with [`Mode`]s.
 //! Everything that can go wrong is a [`Fault`] with code, cause and cure. It knows no mechanics: what an expression means is nobody's business here.
 //!
-//! Rooms, in order of reading: `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `solve`, `general`,
+//! Rooms, in order of reading: `real`, `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `solve`, `general`,
 //! `spare`, `rounding` (values) - `mode`, `guard` (switches) - `jets`, `tangent` (series, Jacobian) - [`curve`], `behind` (whether polynomials are what they stand for) -
 //! `program`, `fault`.
 //!
@@ -82,7 +82,7 @@ pub use behind::{Acting, Behind, HELD, Node, Seen};
 pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Construct, GuardOrigin};
 pub use interpret::{Evaluator, Point};
-pub use jets::Jets;
+pub use jets::{Jets, RESOLUTION};
 pub use mode::Mode;
 pub use program::{Bound, ConnectionRoots, ENERGY, LawRoots, Program, RestRoots, TouchRoots};
 pub use real::Real;

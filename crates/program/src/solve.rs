@@ -25,8 +25,8 @@ pub(crate) struct Factor {
     square: Vec<f64>,
 }
 
-/// A pivot below this part, times n, of the largest entry of its row has lost all digits to cancellation.
-const SINGULAR: f64 = 4.0 * f64::EPSILON;
+/// A pivot below this part, times n, of its scale (the largest entry of its row) has lost all digits to cancellation.
+pub(crate) const SINGULAR: f64 = 4.0 * f64::EPSILON;
 
 impl Factor {
     /// Takes the lower triangle of a matrix, by rows.

@@ -2,7 +2,7 @@
 //! a written calculation stand in [`studies`]. It knows no physics.
 //!
 //! Rooms, in order of reading: [`source`], [`files`], `shelf`, [`folder`], [`pdf`], [`system`] (files and the machine that it runs on) - [`diagnostics`], [`mod@explain`],
-//! [`wording`] - [`variants`], [`class`] - [`gallery`], [`chain`]. The program: `main`, `args`, `line`, `localize`, `console`, `quantities`, `commands`.
+//! [`wording`] - `letters`, [`variants`], [`class`] - [`gallery`], [`showcase`], [`film`], [`chain`]. The program: `main`, `args`, `line`, `localize`, `console`, `quantities`, `commands`.
 //!
 //! ```
 //! use studies::{Source, Watch, pipeline};

@@ -1,5 +1,7 @@
 //! The command `strutt`.
 
+#![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
+
 mod args;
 mod commands;
 mod console;

@@ -1,5 +1,6 @@
 //! PDF by a program that is installed: a browser prints HTML, typst and LaTeX compile their own.
 
+use report::formats::{Format, Press, TABLE};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -16,16 +17,15 @@ const SHOWN: usize = 400;
 ///
 /// # Errors
 /// The format is not printed (C061), no program for it is installed (C062), the program fails (C063).
-pub fn print(page: &Path, format: &str) -> Result<PathBuf, Notice> {
-    let programs = printed(format)?;
+pub fn print(page: &Path, format: &Format) -> Result<PathBuf, Notice> {
+    let (press, programs) = printed(format)?;
     let program = programs.iter().find_map(|name| found(name)).ok_or_else(|| not_installed(programs, page))?;
     let pdf = page.with_extension("pdf");
     let before = std::fs::metadata(&pdf).and_then(|m| m.modified()).ok();
-    let said = match format {
-        "html" => browse(&program, page, &pdf),
-        "typst" => run(Command::new(&program).arg("compile").arg(page).arg(&pdf)),
-        // the second run knows the pages of the contents
-        _ => compile(&program, page).and_then(|_| compile(&program, page)),
+    let said = match press {
+        Press::Browser => browse(&program, page, &pdf),
+        Press::Typst => run(Command::new(&program).arg("compile").arg(page).arg(&pdf)),
+        Press::Latex => compile(&program, page).and_then(|_| compile(&program, page)),
     };
     let after = std::fs::metadata(&pdf).and_then(|m| m.modified()).ok();
     match said {
@@ -38,13 +38,14 @@ pub fn print(page: &Path, format: &str) -> Result<PathBuf, Notice> {
 ///
 /// # Errors
 /// There are none (C061).
-pub fn printed(format: &str) -> Result<&'static [&'static str], Notice> {
-    match format {
-        "html" => Ok(BROWSERS),
-        "typst" => Ok(TYPST),
-        "latex" => Ok(LATEX),
-        _ => Err(not_printed(format)),
-    }
+pub fn printed(format: &Format) -> Result<(Press, &'static [&'static str]), Notice> {
+    let press = format.page().and_then(|page| page.press).ok_or_else(|| not_printed(format.name))?;
+    let programs = match press {
+        Press::Browser => BROWSERS,
+        Press::Typst => TYPST,
+        Press::Latex => LATEX,
+    };
+    Ok((press, programs))
 }
 
 /// The program of that name on the path.
@@ -83,8 +84,10 @@ fn run(command: &mut Command) -> Result<String, String> {
 }
 
 fn not_printed(format: &str) -> Notice {
+    let fit = TABLE.iter().filter(|format| format.page().is_some_and(|page| page.press.is_some())).map(|format| format.name);
+    let fit = fit.collect::<Vec<_>>().join(" | ");
     Notice::new("C061", format!("no PDF is made of the format {format}"), format!("из формата {format} PDF не делается"))
-        .help("use --format html, typst or latex", "укажите --format html, typst или latex")
+        .help(format!("use --format {fit}"), format!("укажите --format {fit}"))
 }
 
 fn not_installed(programs: &[&str], page: &Path) -> Notice {
@@ -115,7 +118,7 @@ mod tests {
 
     #[test]
     fn a_format_without_pages_is_refused_and_a_missing_program_is_named() {
-        assert_eq!(print(Path::new("a.md"), "markdown").unwrap_err().code, "C061");
+        assert_eq!(print(Path::new("a.md"), &report::formats::markdown::FORMAT).unwrap_err().code, "C061");
         let notice = not_installed(TYPST, Path::new("a.typ"));
         assert!(notice.why.en.contains("typst") && notice.why.ru.contains("a.typ"));
         assert!(found("no-such-program-of-anybody").is_none());

@@ -4,8 +4,8 @@
 //! `[[study]]`, the options of `strutt NAME` with their help in both languages, the completions of shells and the reference of the model file.
 //! It knows no terminal, process, file or clock.
 //!
-//! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`] - [`results`], [`observable`] - [`machine`], [`frame`] - [`small`], [`structure`], [`phases`]
-//! (what several studies share) - one file a study - [`sweep`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`shown`], [`scheme`], [`calculation`], [`document`],
+//! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`], `letters` - [`results`], `provenance`, [`observable`] - [`machine`], [`frame`] - `keys`, [`plan`],
+//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`sweep`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], [`scheme`], [`calculation`], [`document`],
 //! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large

@@ -7,7 +7,7 @@ use mechanics::derive::strand_output;
 use symbolic::SymbolId;
 
 /// Share of the force below which a tension of the wrong sign is rounding.
-const ROUNDING: f64 = 1e-9;
+pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// The same relative to the largest reaction of the machine, and in newtons.
 const NOISE: f64 = 1e-13;

@@ -6,7 +6,6 @@ use std::ops::RangeInclusive;
 #[macro_export]
 macro_rules! finest_tolerance {
     () => {
-        // see above
         1e-15
     };
 }
@@ -15,7 +14,6 @@ macro_rules! finest_tolerance {
 #[macro_export]
 macro_rules! coarsest_tolerance {
     () => {
-        // see above
         1e-3
     };
 }

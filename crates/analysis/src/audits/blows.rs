@@ -22,7 +22,7 @@ use crate::{Mode, System};
 /// Rounding of rates and impulses of an impact, and what the last blows of a chain that converges leave.
 const LIMIT: f64 = 1e-9;
 /// Share of the size of a speed below which its sign is rounding.
-const STILL: f64 = 1e-9;
+pub const STILL: f64 = 1e-9;
 /// Share of the largest momentum below which an impact is the end of a sequence: a contact that moves by a rounding of its largest rate is closed, and with it
 /// those that hang on it.
 const DYING: f64 = 1e-2;

@@ -17,6 +17,7 @@
 use words::Text;
 
 use super::ROUNDED;
+use super::blows::STILL;
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -30,8 +31,6 @@ const WHOLE: u64 = 512;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Share of the largest force of the machine that stands for the size of a small one: it is what is left of the large ones.
 const WEAK: f64 = 1e-3;
-/// Share of the size of a speed below which its sign is rounding, and how many tolerances: beside a reversal a speed is the error of the step.
-const STILL: f64 = 1e-9;
 const STEPPED: f64 = 1e3;
 /// Limit of these audits, and the share of a speed that is error, at the loosest tolerance.
 const WIDEST: f64 = 1e-2;

@@ -40,6 +40,8 @@ pub struct LinearMachine {
 
 /// Forces below this share of the terms that add up to them are rounding: some dozens of roundings.
 const BALANCED: f64 = 64.0 * f64::EPSILON;
+/// Share of the largest unknown below which one is the rounding of a solution in scaled rows.
+const SOLVED: f64 = 1e-13;
 
 /// Everything that the tape gives.
 struct Full {
@@ -72,8 +74,7 @@ fn scaled_solution(a: &[f64], right: &[f64], n: usize) -> Option<Vec<f64>> {
     let size = b.iter().chain(&x).fold(0.0_f64, |m, v| m.max(v.abs()));
     // an acceleration that is rounding only would couple motions that are free of each other
     let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    // see above: rounding of a solution in scaled rows
-    let x: Vec<f64> = x.iter().map(|v| if v.abs() <= 1e-13 * largest { 0.0 } else { *v }).collect();
+    let x: Vec<f64> = x.iter().map(|v| if v.abs() <= SOLVED * largest { 0.0 } else { *v }).collect();
     // rows that contradict each other leave a residual of the size of the right side
     (residual <= 1e-9 * size).then(|| x.iter().zip(&columns).map(|(v, f)| v * f).collect())
 }

@@ -14,7 +14,7 @@ const PATIENCE: usize = 30;
 pub(crate) const RESIDUAL: f64 = 1e-10;
 
 /// The same where Newton's method ends: beside a fold, or a dead position of a linkage, a place that is open by more can rest where no closed one does.
-const SOLVED: f64 = 1e-12;
+pub(crate) const SOLVED: f64 = 1e-12;
 /// Smallest share of the largest force to which a force is compared.
 const SHARE: f64 = 1e-3;
 

@@ -14,7 +14,8 @@ use algebra::elementary;
 use symbolic::Equations;
 use words::Text;
 
-use super::newton::{self, RESIDUAL, balance, worst};
+use super::newton::{self, SOLVED, balance, worst};
+use super::observed::NOISE;
 use super::search::{Equilibrium, Range};
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, gap_size};
@@ -30,8 +31,6 @@ const PLACES: usize = 49;
 const TRIES: usize = 4;
 /// Step along a curve, rad or share of the machine's length.
 const STRIDE: f64 = 0.01;
-/// A reaction below this share of the other forces is rounding.
-const NOISE: f64 = 1e-14;
 /// Distance of two places that are one, relative to the sizes of the coordinates.
 const ONE: f64 = 1e-7;
 /// Steps along a curve to either side.
@@ -147,7 +146,7 @@ impl Search<'_> {
             return;
         }
         // a place that rests already is not moved
-        let resting = self.system.at(&z).is_ok_and(|rows| worst(&rest_rows(&rows, &z), &z) <= RESIDUAL * 1e-2);
+        let resting = self.system.at(&z).is_ok_and(|rows| worst(&rest_rows(&rows, &z), &z) <= SOLVED);
         let free: Vec<usize> = (0..self.system.width()).collect();
         // without a place for every connection the way there would decide where the search ends
         if !resting && !self.system.wandering().is_empty() {

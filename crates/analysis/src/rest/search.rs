@@ -90,9 +90,6 @@ pub(crate) const ONE: f64 = 1e-7;
 /// Forces relative to the terms that balance in them, where Newton's method comes to no better place: some hundred roundings.
 const BALANCED: f64 = 1e-13;
 
-/// The same for the audit.
-pub(crate) const RESIDUAL: f64 = 1e-10;
-
 pub(crate) fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
     let (a, b) = (rounded(from), rounded(to));
     Fault::new(Message {

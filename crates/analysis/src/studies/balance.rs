@@ -424,9 +424,9 @@ pub(super) fn counting(m: &Matrices, waves: &[Wave], rate: f64) -> Vec<bool> {
     sizes.iter().map(|s| *s > VOICE * largest).collect()
 }
 
-/// Orders of a load beyond this multiple of the common rate, and those below this share of the largest amplitude, are left to the small motion.
+/// Orders of a load beyond this multiple of the common rate are left to the small motion.
 const HIGHEST: usize = 12;
-// see above
+/// So are those below this share of the largest amplitude: what they bend is its square.
 pub(super) const TRACE: f64 = 1e-4;
 
 /// The loads at ω with the small motions that they force, by multiples of their common rate; none where there is no such rate or a motion is infinite.

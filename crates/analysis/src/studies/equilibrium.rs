@@ -7,7 +7,8 @@
 use words::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
-use crate::rest::search::{ONE, RESIDUAL, Rest, Search, Statics, nothing_between};
+use crate::rest::newton::RESIDUAL;
+use crate::rest::search::{ONE, Rest, Search, Statics, nothing_between};
 use crate::{Quantity, System};
 
 use super::simulate::Outcome;

@@ -15,9 +15,9 @@ use crate::{Fault, Quantity};
 use words::digits::rounded;
 use words::explain::{Explanation, plain};
 
-/// Forces from oscillating coefficients that may be left out, relative to the terms: without a word, and with one.
+/// Forces from oscillating coefficients that may be left out without a word, relative to the terms: tables show six digits.
 const FED_BACK: f64 = 1e-6;
-// see above
+/// The same with a word; beyond it a study of small motions has no answer that two digits could be given of.
 const TOLD: f64 = 1e-2;
 /// Distance of amplitudes, motions and outputs from their straight lines that is worth a word.
 const BENT: f64 = 1e-2;

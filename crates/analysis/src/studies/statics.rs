@@ -22,6 +22,7 @@ use crate::connections::assemble;
 use crate::rest::admissible::{Hold, Holds, Limit};
 use crate::rest::fault_of;
 use crate::rest::numbers::Numbers;
+use crate::rest::observed::NOISE;
 use crate::rest::rows::{NOTHING, independent, rows_of, with_shares};
 use crate::studies::telling::telling;
 use crate::{Fault, Quantity};
@@ -29,8 +30,6 @@ use algebra::qr::Qr;
 use algebra::vectors::norm;
 use words::digits::rounded;
 
-/// A reaction below this share of the largest of its unit is rounding.
-const NOISE: f64 = 1e-14;
 /// Work of the loads in a free motion, relative, above which the structure does not rest.
 const RESTS: f64 = 1e-9;
 

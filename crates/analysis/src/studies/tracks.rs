@@ -496,9 +496,9 @@ struct Cell {
 
 /// Halvings of a cell in which a mode comes near to the line without a sign of crossing.
 const DEEPEST: usize = 6;
-/// Share of its frequency by which a mode may leave the line ω = order·Ω along which it runs, and the share of a speed over which that counts.
+/// Share of its frequency by which a mode may leave the line ω = order·Ω along which it runs: frequencies carry eleven digits and more.
 const ALONG: f64 = 1e-10;
-// see above
+/// Share of a speed over which a mode that leaves the line by less than [`ALONG`] runs along it: a crossing leaves it by as much as this.
 const APART: f64 = 1e-6;
 /// Share of the largest speed that is none.
 const STANDS: f64 = 1e-12;

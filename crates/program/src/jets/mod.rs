@@ -24,8 +24,8 @@ use recurrences::Memory;
 use steps::Step;
 use words::Text;
 
-/// What is nearer in time than this share of it is now.
-const RESOLUTION: f64 = 32.0 * f64::EPSILON;
+/// What is nearer in time than this share of it is now: an instant is known to some units in its last place.
+pub const RESOLUTION: f64 = 32.0 * f64::EPSILON;
 
 /// Taylor expander of the dynamics, with its memory.
 #[derive(Clone, Debug)]

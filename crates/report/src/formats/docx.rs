@@ -18,7 +18,7 @@ pub const FORMAT: Format = Format {
     name: "docx",
     extension: "docx",
     help: ("for Word or LibreOffice, formulas to go on with", "для Word или LibreOffice, формулы можно править"),
-    holds: Holds::Page(Page { write, pictures: Pictures::Packed(Package { drawing: RASTER, pack: package::pack }) }),
+    holds: Holds::Page(Page { write, pictures: Pictures::Packed(Package { drawing: RASTER, pack: package::pack }), press: None }),
 };
 
 /// Twentieths of a point between the margins.

@@ -7,7 +7,7 @@
 use super::fit::{self, Fitted, Room, breakable, longest_decimals};
 use super::paper::{self, Paper, Walk, paragraphs};
 use super::signs::{Sign, sign};
-use super::{Drawing, Format, Holds, Page, Pictures, RASTER, Sheet};
+use super::{Drawing, Format, Holds, Page, Pictures, Press, RASTER, Sheet};
 use crate::document::{Content, Document, Download, Formula, Front, Rich};
 use crate::formula::Form;
 use crate::table::{Cell, Table, split_number};
@@ -20,7 +20,7 @@ pub const FORMAT: Format = Format {
     name: "latex",
     extension: "tex",
     help: ("for pdflatex or xelatex, with pictures beside it", "для pdflatex или xelatex, рисунки рядом"),
-    holds: Holds::Page(Page { write, pictures: Pictures::Beside(PNG) }),
+    holds: Holds::Page(Page { write, pictures: Pictures::Beside(PNG), press: Some(Press::Latex) }),
 };
 
 const PNG: Drawing = RASTER;

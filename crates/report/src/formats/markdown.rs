@@ -14,7 +14,7 @@ pub const FORMAT: Format = Format {
     name: "markdown",
     extension: "md",
     help: ("for GitHub or pandoc, with pictures beside it", "для GitHub или pandoc, рисунки рядом"),
-    holds: Holds::Page(Page { write, pictures: Pictures::Beside(VECTOR) }),
+    holds: Holds::Page(Page { write, pictures: Pictures::Beside(VECTOR), press: None }),
 };
 
 /// A document as Markdown.

@@ -14,7 +14,7 @@ mod signs;
 pub mod text;
 pub mod typst;
 
-pub use row::{Drawing, Format, Holds, Package, Page, Pictures, Sheet, Table, Tree};
+pub use row::{Drawing, Format, Holds, Package, Page, Pictures, Press, Sheet, Table, Tree};
 pub(crate) use row::{RASTER, VECTOR};
 
 /// Every format; the first is that of the terminal.

@@ -37,6 +37,19 @@ pub struct Page {
     pub write: fn(&Document, &Sheet) -> String,
     /// Where its figures are.
     pub pictures: Pictures,
+    /// What makes a PDF of it, if anything does.
+    pub press: Option<Press>,
+}
+
+/// A kind of program that makes a PDF of a page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Press {
+    /// A browser prints it.
+    Browser,
+    /// The compiler of Typst.
+    Typst,
+    /// A compiler of LaTeX, which runs twice: its second run knows the pages of the contents.
+    Latex,
 }
 
 /// What a page is written on.

@@ -14,7 +14,11 @@ pub const FORMAT: Format = Format {
     name: "text",
     extension: "txt",
     help: ("for the terminal", "для терминала"),
-    holds: Holds::Page(Page { write: |document: &Document, sheet: &Sheet| write(document, sheet.width), pictures: Pictures::Told }),
+    holds: Holds::Page(Page {
+        write: |document: &Document, sheet: &Sheet| write(document, sheet.width),
+        pictures: Pictures::Told,
+        press: None,
+    }),
 };
 
 /// Space between two columns of a table.

@@ -5,7 +5,7 @@
 
 use super::fit::{self, Fitted, Room, breakable, longest_decimals};
 use super::paper::{self, Paper, Walk, paragraphs};
-use super::{Format, Holds, Page, Pictures, Sheet, VECTOR};
+use super::{Format, Holds, Page, Pictures, Press, Sheet, VECTOR};
 use crate::document::{Content, Document, Download, Formula, Front, Rich};
 use crate::formula::Form;
 use crate::table::{Cell, Table, split_number};
@@ -17,7 +17,7 @@ pub const FORMAT: Format = Format {
     name: "typst",
     extension: "typ",
     help: ("for typst, with pictures beside it", "для typst, рисунки рядом"),
-    holds: Holds::Page(Page { write, pictures: Pictures::Beside(VECTOR) }),
+    holds: Holds::Page(Page { write, pictures: Pictures::Beside(VECTOR), press: Some(Press::Typst) }),
 };
 
 const MACROS: &str = include_str!("macros.typ");

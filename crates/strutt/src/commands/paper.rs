@@ -17,7 +17,7 @@ pub fn run(args: &args::Report, console: &mut Console) -> Result<Exit, Failure> 
     listen_to_interrupts(console.language);
     let format = console.paged().map_err(|format| no_pages(&format).misuse())?.unwrap_or(folder::PAGE);
     if args.pdf {
-        pdf::printed(format.name).map_err(Misuse::misuse)?;
+        pdf::printed(&format).map_err(Misuse::misuse)?;
     }
     let (source, overrides) = inputs(&args.model)?;
     let calculation = console.watched(|watch| pipeline::run(&source, &overrides, watch))?;
@@ -27,7 +27,7 @@ pub fn run(args: &args::Report, console: &mut Console) -> Result<Exit, Failure> 
     let paths = console.timed(Word::TimeWrite, |_| folder::report(&calculation, &document, (&out, &name), &format))?;
     let mut paths = paths;
     if args.pdf {
-        paths.extend(paths.last().map(|page| pdf::print(page, format.name)).transpose()?);
+        paths.extend(paths.last().map(|page| pdf::print(page, &format)).transpose()?);
     }
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("{}{list}", console.say(Word::Written)));

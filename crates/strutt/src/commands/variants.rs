@@ -7,8 +7,8 @@ use mechanics::derive::Detail;
 use report::formats::Holds;
 use std::sync::atomic::Ordering;
 use strutt::class;
-use strutt::pdf;
 use strutt::wording::Word;
+use strutt::{folder, pdf};
 use studies::variants::{Class, check, sheet};
 use studies::{Failure, document};
 
@@ -51,7 +51,7 @@ fn overview(args: &args::VariantsCheck, console: &mut Console) -> Result<Exit, F
 /// `strutt variants make FILE --out DIR`.
 fn make(args: &args::VariantsMake, console: &mut Console) -> Result<Exit, Failure> {
     if args.pdf {
-        pdf::printed("html")?;
+        pdf::printed(&folder::PAGE)?;
     }
     let source = strutt::source::open(&args.file)?;
     let reading = studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
@@ -65,8 +65,8 @@ fn make(args: &args::VariantsMake, console: &mut Console) -> Result<Exit, Failur
     let language = console.language;
     let course = console.watched(|watch| class::made(&mut of, model, (&source, &members), &students, (watch, language)));
     let paths = console.timed(Word::TimeWrite, |_| class::write(&course, &args.out, &inputs))?;
-    let sheets = paths.iter().filter(|p| args.pdf && p.extension().is_some_and(|e| e == "html"));
-    sheets.filter(|p| p.parent() != Some(args.out.as_path())).try_for_each(|p| pdf::print(p, "html").map(drop))?;
+    let sheets = paths.iter().filter(|p| args.pdf && p.extension().is_some_and(|e| e == folder::PAGE.extension));
+    sheets.filter(|p| p.parent() != Some(args.out.as_path())).try_for_each(|p| pdf::print(p, &folder::PAGE).map(drop))?;
     let failed: Vec<&str> = course.key.entries.iter().filter(|e| !e.failure.is_empty()).map(|e| e.member.name.as_str()).collect();
     let (n, out) = (paths.len(), args.out.display());
     console.talk(&console.pick(format!("written: {out}, {n} files"), format!("записано: {out}, файлов {n}")));

@@ -73,6 +73,25 @@ fn no_circle_ties_folders_or_files() {
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
+/// The head of a crate names its rooms; a study has its own file and needs no mention.
+#[test]
+fn every_room_stands_in_the_head_of_its_crate() {
+    let mut missing = Vec::new();
+    for name in STREET {
+        let source = root().join("crates").join(name).join("src");
+        let lib = read(&source.join("lib.rs"));
+        let head: String = lib.lines().take_while(|line| line.starts_with("//!")).collect();
+        for line in lib.lines() {
+            let Some(room) = line.trim_start_matches("pub ").strip_prefix("mod ").and_then(|rest| rest.strip_suffix(';')) else { continue };
+            let is_study = fs::read_to_string(source.join(format!("{room}.rs"))).is_ok_and(|text| text.contains("\nimpl Study for "));
+            if !is_study && !head.contains(&format!("`{room}`")) && !head.contains(&format!("`mod@{room}`")) {
+                missing.push(format!("{name}: {room}"));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "rooms that no head names: {missing:?}");
+}
+
 /// What only the command line has: terminals, signals, and pictures made of pixels, which `report` draws when it is asked to.
 const TERMINALS: [&str; 6] = ["clap", "clap_complete", "indicatif", "console", "ctrlc", "annotate-snippets"];
 /// What reaches outside the process.

@@ -3,6 +3,7 @@
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Extreme;
+use analysis::rest::observed::NOISE;
 use report::table::Column;
 use report::{Cell, Table, Word};
 use words::Language;
@@ -127,9 +128,6 @@ pub fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale
         None => report::unit::Scale::of_column(&quantity.unit, largest),
     }
 }
-
-/// Share of the largest value of a unit below which a value beside it is rounding.
-const NOISE: f64 = 1e-14;
 
 /// One row per quantity, one column per equilibrium.
 pub fn equilibria(data: &Dataset, language: Language) -> Table {

@@ -5,7 +5,7 @@ use analysis::Dataset;
 use analysis::linear::{LinearMachine, Place};
 use analysis::studies::rest::beside::beside;
 use analysis::studies::rest::changes;
-use analysis::studies::rest::contacts::Contacts;
+use analysis::studies::rest::contacts::{Contacts, SLACK};
 use analysis::studies::rest::stability::with_closed;
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -15,8 +15,6 @@ use words::Text;
 
 /// Unstable places of which this is said.
 const MOST: usize = 3;
-/// Force of a contact, relative to the largest reaction, that counts as none.
-const SLACK: f64 = 1e-9;
 
 /// A stable place beside an unstable one.
 pub struct Beside {

@@ -1,6 +1,7 @@
 //! Strands of belts that only pull, tracks and stops that only push, in forced oscillations: at which frequencies the motion asks for more.
 
 use super::touching::{self, Level, Touching};
+use crate::strands::ROUNDING;
 use analysis::Fault;
 use analysis::linear::{LinearMachine, Place};
 use analysis::marks::pushes::{Beyond, Push};
@@ -10,8 +11,6 @@ use analysis::studies::rest::contacts::Contacts;
 use symbolic::Expr;
 use words::{Language, Text};
 
-/// A force of the wrong sign below this share of its size is rounding.
-const ROUNDING: f64 = 1e-9;
 /// Halvings of an interval in which a bound lies.
 const HALVINGS: usize = 40;
 

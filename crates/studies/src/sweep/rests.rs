@@ -4,12 +4,11 @@ use super::repeated::{Repeated, one};
 use crate::machine::Machine;
 use crate::watch::Watch;
 use analysis::studies::rest::changes::written;
+use analysis::studies::rest::contacts::SLACK;
 use analysis::{Dataset, Quantity};
 use symbolic::connections::Law;
 use words::Text;
 
-/// Force of a contact, relative to the largest reaction, that counts as none.
-const SLACK: f64 = 1e-9;
 /// Changes that are located at most.
 const MOST: usize = 12;
 /// Halvings between two values.

@@ -6,12 +6,10 @@ use super::quantity::{chain, line_at, with_unit};
 use super::work::Work;
 use crate::Finds;
 use crate::small::formulas;
+use analysis::studies::transient::oscillator::EQUAL;
 use report::document::Inline;
 use report::formula::{Layout, Relation, Sign};
 use symbolic::{Linear, Matrix, SymbolId};
-
-/// n and k closer than this share are equal: data with a few digits mean the critical case.
-const CRITICAL: f64 = 1e-9;
 
 /// More coordinates than this are not written out.
 const LARGEST: usize = 4;
@@ -106,7 +104,7 @@ fn after(work: &Work, found: &Coefficients, pen: &mut Pen) {
         damping(work, [a, b, n], pen);
     }
     frequency(work, [a, c, k], pen);
-    let decays = b > 0.0 && n < k && (n - k).abs() > CRITICAL * k;
+    let decays = b > 0.0 && n < k && (n - k).abs() > EQUAL * k;
     pen.tell(case(work, [b, n, k]));
     if decays {
         decaying(work, (n, k), pen);
@@ -127,7 +125,7 @@ fn case(work: &Work, [b, n, k]: [f64; 3]) -> Vec<Inline> {
             );
             vec![lead, inline(other.clone()), words(".")]
         }
-        () if (n - k).abs() <= CRITICAL * k => vec![
+        () if (n - k).abs() <= EQUAL * k => vec![
             compared(Relation::Equal),
             told(
                 ": the damping is critical, the free motion does not oscillate.",

@@ -7,9 +7,8 @@
 //! noise_i is the rounding of f (`newton.rs`): large forces that cancel leave it in the rates of fast states.
 
 use super::nodes::Stages;
+use crate::integrate::taylor::UNIT_SHARE;
 
-/// Share of the largest change of a unit below which a smaller one is not resolved relatively.
-const UNIT_SHARE: f64 = 1e-8;
 /// Multiple of the noise that the control does not look below.
 const NOISY: f64 = 4.0;
 

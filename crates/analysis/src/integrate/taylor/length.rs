@@ -68,8 +68,8 @@ use algebra::elementary;
 const LOWEST_ORDER: usize = 4;
 /// Highest order that is asked of a system.
 pub const HIGHEST_ORDER: usize = 40;
-/// Share of the largest component of a unit below which a smaller one of that unit is not resolved relatively.
-const UNIT_SHARE: f64 = 1e-8;
+/// Share of the largest component (or of the largest change) of a unit below which a smaller one of that unit is not resolved relatively.
+pub(in crate::integrate) const UNIT_SHARE: f64 = 1e-8;
 /// See the head of the file.
 const SLACK: f64 = 4.0;
 /// Changes of a length while it is sought: by thousandths down all decades that numbers have, and some.

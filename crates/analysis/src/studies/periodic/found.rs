@@ -19,9 +19,9 @@ use std::f64::consts::TAU;
 const SINGULAR: f64 = 1e-9;
 /// The same for a forced machine, which is singular only at resonance.
 const RESONANT: f64 = 1e-12;
-/// Rank of the derivative of a projection: shares of its rows, and of its columns, which differences of states give with half of the digits.
+/// Rank of the derivative of a projection, as a share of its rows: differences of states give it with half of the digits, and rows are sums of some.
 const IN_ROWS: f64 = 1e-9;
-// see above
+/// The same as a share of its columns, each of which is one difference.
 const IN_COLUMNS: f64 = 1e-7;
 /// Shares of the period by which a turn may be followed further to end behind a switch.
 const BEHIND: [f64; 4] = [0.0, 1e-14, 1e-13, 1e-12];

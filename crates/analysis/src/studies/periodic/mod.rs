@@ -32,6 +32,7 @@ mod verdict;
 pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
+pub use verdict::NEUTRAL;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;

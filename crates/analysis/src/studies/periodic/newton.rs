@@ -19,9 +19,9 @@ const TRIAL: usize = 150;
 pub(super) const TURNS: usize = 100;
 /// Misses above this share of the range are not corrected but followed.
 const FAR: f64 = 0.3;
-/// A miss below this is rounding; above `ENOUGH` it is no return.
+/// A miss below this is rounding: a few units in the last place of a state of size 1.
 const EXACT: f64 = 2e-15;
-// see above; the audit `closure` allows as much
+/// A miss above this is no return; the audit `closure` allows as much.
 const ENOUGH: f64 = 1e-10;
 /// A far correction is kept where it leaves this share of the miss: the map of a linear machine is met at once.
 const AFFINE: f64 = 1e-3;

@@ -3,7 +3,7 @@
 use super::options::Multiplier;
 
 /// Multipliers this near to the unit circle decide nothing, whatever their error.
-const NEUTRAL: f64 = 1e-10;
+pub const NEUTRAL: f64 = 1e-10;
 
 /// What a multiplier's distance from the unit circle must exceed.
 pub(super) fn margin(m: &Multiplier) -> f64 {

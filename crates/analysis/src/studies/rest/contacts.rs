@@ -22,8 +22,8 @@ use crate::rest::{CLOSED, gap_size};
 
 /// Contacts of which every set of closed ones may be tried.
 const MOST: usize = 6;
-/// A force of a closed contact below this share of the largest is none.
-const SLACK: f64 = 1e-9;
+/// A force of a closed contact below this share of the largest reaction is none: places of rest are known to some ten digits.
+pub const SLACK: f64 = 1e-9;
 /// The same relative to what the machine's stiffnesses make of a unit of its coordinates: rounding.
 const ROUNDING: f64 = 1e-14;
 /// Share of a scale below which a force or a gap counts as about to vanish.

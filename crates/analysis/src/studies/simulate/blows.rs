@@ -3,6 +3,7 @@
 use words::Text;
 
 use super::run::{Run, jumps};
+use crate::audits::blows::STILL;
 use crate::audits::impacts::relative;
 use crate::dataset::{Audit, Impulse};
 use crate::integrate::crossings::{Change, Switch};
@@ -12,9 +13,6 @@ use crate::{GuardKind, Mode, System};
 
 /// Rounding of the energies of a blow, relative to the works that meet.
 const LIMIT: f64 = 1e-9;
-
-/// Share of the terms of a rate below which it is none.
-const STILL: f64 = 1e-9;
 
 impl Run {
     /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well.

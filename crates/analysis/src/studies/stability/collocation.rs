@@ -18,9 +18,9 @@ use std::f64::consts::TAU;
 /// Numbers of instants that are tried, and the largest matrix.
 const INSTANTS: [usize; 4] = [16, 32, 64, 128];
 const LARGEST: usize = 260;
-/// Share of a coefficient up to which its harmonics that the instants do not resolve may reach, and of the largest one below which it is rounding.
+/// Share of a coefficient up to which its harmonics that the instants do not resolve may reach: multipliers are wanted to as much.
 const RESOLVED: f64 = 1e-10;
-// see above
+/// Share of the largest coefficient below which one is rounding of the transform's sums.
 const ROUNDING: f64 = 1e-12;
 /// Agreement beyond which nothing is gained.
 const ENOUGH: f64 = 1e-11;

@@ -1,10 +1,8 @@
 //! From multipliers to exponents and a verdict.
 
-use crate::studies::periodic::Multiplier;
+use crate::studies::periodic::{Multiplier, NEUTRAL};
 use algebra::elementary;
 
-/// Multipliers this near to the unit circle are on it, whatever their error.
-const NEUTRAL: f64 = 1e-10;
 /// Distance of multipliers below which they are not told apart: a double root moves by the root of an error.
 const APART: f64 = 1e-4;
 /// Error up to which two multipliers are reciprocal.

@@ -14,7 +14,7 @@ use algebra::complex::{self, Complex};
 use algebra::divided::exponential;
 
 /// n and k that agree to this share are critical damping, a root and a rate that agree to it are resonance: data carry rounding.
-const EQUAL: f64 = 1e-12;
+pub const EQUAL: f64 = 1e-12;
 
 /// What the free motion is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,7 +10,7 @@ mod played;
 
 pub use cards::{Card, cards};
 
-use super::{Format, Holds, Page, Pictures, Sheet};
+use super::{Format, Holds, Page, Pictures, Press, Sheet};
 use crate::document::{Block, Document};
 use crate::escape::{markup, script_json};
 use crate::figure::Figure;
@@ -24,7 +24,11 @@ pub const FORMAT: Format = Format {
     name: "html",
     extension: "html",
     help: ("for browsers, with live plots, one file", "для браузера, с живыми графиками, один файл"),
-    holds: Holds::Page(Page { write: |document: &Document, _: &Sheet| write(document, Options::default()), pictures: Pictures::Inside }),
+    holds: Holds::Page(Page {
+        write: |document: &Document, _: &Sheet| write(document, Options::default()),
+        pictures: Pictures::Inside,
+        press: Some(Press::Browser),
+    }),
 };
 
 const STYLE: &str = include_str!("page.css");
