@@ -91,6 +91,8 @@ pub struct Model {
     pub report: Report,
     /// What the reader read off numbers, each once.
     pub premises: Vec<Premise>,
+    /// Those of them that only studies rest on.
+    pub of_studies: Vec<Premise>,
 }
 
 /// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).

@@ -31,6 +31,7 @@ examples![
     "crank-hoist-double",
     "differential-pulley",
     "double-pendulum",
+    "duffing",
     "five-bar",
     "four-bar",
     "gyroscopic-rotor",

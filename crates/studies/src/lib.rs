@@ -15,6 +15,7 @@
 pub mod answers;
 pub mod calculation;
 pub mod claims;
+pub mod continuation;
 pub mod cycle;
 pub mod document;
 pub mod equations;
@@ -79,6 +80,7 @@ pub static TABLE: &[&dyn Study] = &[
     &equilibrium::Rest,
     &periodic::Regimes,
     &stability::Disturbances,
+    &continuation::Branches,
     &poincare::SectionPoints,
     &kinematics::Linkage,
     &cycle::Turn,

@@ -27,7 +27,8 @@ use words::explain::{Explanation, plain};
 /// The study.
 pub struct Disturbances;
 
-static KIND: Kind = Kind::new(
+/// Its name and its keys.
+pub static KIND: Kind = Kind::new(
     "stability",
     (
         "Find whether small disturbances grow: multipliers, exponents, Mathieu's and Hill's equation, boundaries",

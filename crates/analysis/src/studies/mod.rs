@@ -3,6 +3,7 @@
 pub mod amplitudes;
 mod balance;
 pub mod claims;
+pub mod continuation;
 pub mod cycle;
 pub mod equilibrium;
 pub(crate) mod explain;

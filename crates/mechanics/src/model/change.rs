@@ -1,6 +1,6 @@
 //! Other numbers for the constants of a model that was read: whether they may be put into it, and putting them.
 
-use super::premises::at;
+use super::premises::{Values, at};
 use super::{Change, Class, Model, ParameterValue};
 use symbolic::{Expr, Rational};
 
@@ -23,6 +23,34 @@ impl Model {
         }
         let known = |name: &str| self.parameters.iter().any(|p| p.name == name && p.class == Class::Constant);
         values.iter().all(|(name, value)| known(name) && value.is_finite()).then_some(change)
+    }
+
+    /// The expressions of which the reader took exactly this number: one where a single formula stands behind it.
+    pub fn formulas_of(&self, value: f64) -> Vec<Expr> {
+        let values = self.numbers();
+        let mut list: Vec<Expr> = self.premises.iter().map(|p| p.formula).collect();
+        list.dedup();
+        let found = at(&self.graph, &list, &values);
+        let mut formulas: Vec<Expr> = list.into_iter().zip(found).filter(|(_, v)| v.to_bits() == value.to_bits()).map(|(e, _)| e).collect();
+        formulas.sort_unstable();
+        formulas.dedup();
+        formulas
+    }
+
+    /// The number of an expression over constants with the values that they have now.
+    pub fn number_of(&self, formula: Expr) -> f64 {
+        at(&self.graph, &[formula], &self.numbers())[0]
+    }
+
+    fn numbers(&self) -> Values {
+        self.parameters.iter().filter_map(|p| Some((p.symbol, p.number?))).collect()
+    }
+
+    /// Forgets the studies: other values of parameters then need no reading anew for what only they take of numbers.
+    pub fn forget_studies(&mut self) {
+        self.studies.clear();
+        let own = std::mem::take(&mut self.of_studies);
+        self.premises.retain(|p| !own.contains(p));
     }
 
     /// Whether reading the file with the numbers of a change gives this model, but for the numbers.

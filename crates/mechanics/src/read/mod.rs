@@ -137,7 +137,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
     let loads = phases::Loads { elements: &mut elements, on_structure: on_structure.collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
-    let studies = kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default();
+    let (studies, mut of_studies) = reader.apart(|reader| kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default());
     let (variants, answers) = variants::read(reader, &top, &parameters);
     let report = report::read(reader, &top);
     let impacts = connections::impacts(reader, &top);
@@ -147,7 +147,9 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));
     parameters.extend(rests);
-    let premises = reader.premises();
+    let mut premises = reader.premises();
+    of_studies.retain(|p| !premises.contains(p));
+    premises.extend(&of_studies);
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
     Model {
@@ -181,6 +183,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         report,
         scaled: std::mem::take(&mut reader.scaled),
         premises,
+        of_studies,
     }
 }
 

@@ -68,6 +68,11 @@ impl Values {
         self.compute(graph, formula)
     }
 
+    /// Exchanges what was read off numbers so far for another list of it.
+    pub(crate) fn exchange(&mut self, premises: &mut BTreeSet<Premise>) {
+        std::mem::swap(&mut self.premises, premises);
+    }
+
     /// What was read off numbers that parameters decide.
     pub(crate) fn premises(&self, graph: &Graph) -> Vec<Premise> {
         self.premises.iter().copied().filter(|p| graph.as_number(p.formula).is_none()).collect()

@@ -324,6 +324,16 @@ impl<'a> Reader<'a> {
         good.then(|| self.values.relied(&self.builder.graph, value.expr, reliance)).filter(|v| v.is_finite())
     }
 
+    /// Carries something out of which it is noted apart what it reads off numbers.
+    pub(crate) fn apart<T>(&mut self, read: impl FnOnce(&mut Self) -> T) -> (T, Vec<Premise>) {
+        let mut others = std::collections::BTreeSet::new();
+        self.values.exchange(&mut others);
+        let found = read(self);
+        let own = self.premises();
+        self.values.exchange(&mut others);
+        (found, own)
+    }
+
     /// What the model takes from numbers.
     pub(crate) fn premises(&self) -> Vec<Premise> {
         self.values.premises(&self.builder.graph)

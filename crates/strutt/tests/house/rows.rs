@@ -70,16 +70,24 @@ const NO_ALGORITHM: [(&str, &str); 3] = [
 /// Studies whose chapter has another name.
 const CHAPTERS: [(&str, &str); 1] = [("simulate", "pendulum")];
 
+/// Studies whose files have another name.
+const FILES: [(&str, &str); 1] = [("continue", "continuation")];
+
+/// The name of the files of a study.
+fn file_of(study: &str) -> &str {
+    FILES.iter().find(|row| row.0 == study).map_or(study, |row| row.1)
+}
+
 /// A study is an algorithm, a file, a row, a chapter; the reference and the calculation tell it.
 #[test]
 fn every_row_of_studies_has_what_belongs_to_it() {
     let reference = [".md", ".ru.md"].map(reference);
     for study in studies::TABLE {
         let name = study.kind().name;
-        let algorithm = root().join("crates/analysis/src/studies").join(name);
+        let algorithm = root().join("crates/analysis/src/studies").join(file_of(name));
         let has_one = algorithm.with_extension("rs").exists() || algorithm.join("mod.rs").exists();
         assert!(has_one != NO_ALGORITHM.iter().any(|row| row.0 == name), "{name}: an algorithm of its own, or a reason why not");
-        assert!(root().join(format!("crates/studies/src/{name}.rs")).exists(), "{name} has no file of its own");
+        assert!(root().join(format!("crates/studies/src/{}.rs", file_of(name))).exists(), "{name} has no file of its own");
         let chapter = CHAPTERS.iter().find(|row| row.0 == name).map_or(name, |row| row.1);
         // a study of the file, a command, or a claim of the book
         let told = read(&root().join("tests/book").join(chapter).with_extension("md"));
@@ -118,7 +126,7 @@ const STUDY_NAMES: [(&str, &str, &str); 11] = [
 #[test]
 fn names_of_studies_stand_in_their_own_files() {
     let names: Vec<&str> = studies::TABLE.iter().map(|study| study.kind().name).collect();
-    let own = |crate_: &str, file: &str, name: &str| crate_ == "studies" && file.split("::").next() == Some(name);
+    let own = |crate_: &str, file: &str, name: &str| crate_ == "studies" && file.split("::").next() == Some(file_of(name));
     stray(&["report", "studies", "strutt"], &names, own, &STUDY_NAMES);
 }
 

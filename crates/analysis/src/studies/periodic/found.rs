@@ -141,7 +141,7 @@ impl Found<'_> {
     }
 
     /// Rates at the end in the moving frame.
-    fn flow_at_end<S: System + ?Sized>(&self, system: &mut S) -> Result<Vec<f64>, Fault> {
+    pub(super) fn flow_at_end<S: System + ?Sized>(&self, system: &mut S) -> Result<Vec<f64>, Fault> {
         let mut rates = fundamental::rates(system, self.orbit.period, &self.orbit.last, &self.orbit.modes[1])?;
         if let Some(frame) = &self.symmetry.frame {
             rates.iter_mut().zip(frame).for_each(|(r, v)| *r -= v);

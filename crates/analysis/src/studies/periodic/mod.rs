@@ -21,6 +21,7 @@ mod newton;
 mod options;
 mod orbit;
 mod rest;
+mod shooting;
 mod slopes;
 mod spectrum;
 mod square;
@@ -33,6 +34,8 @@ pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
 pub use verdict::NEUTRAL;
+pub(in crate::studies) use shooting::{Shooting, Turned, tangent_of};
+pub(in crate::studies) use verdict::outside;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;

@@ -331,7 +331,7 @@ const SAMPLE: f64 = 1000.0;
 const MOST: f64 = 1e9;
 
 /// What the states vary by.
-fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>>) -> Vec<f64> {
+pub(super) fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>>) -> Vec<f64> {
     let n = system.n_coordinates();
     let still = vec![0.0; orbit.first.len()];
     let ranges = orbit.ranges(frame.unwrap_or(&still));

@@ -1,0 +1,78 @@
+//! The whole diagram: the branch of the motion or the place of rest that the file gives, in both directions, and those that part from it.
+
+use super::corrector;
+use super::curve::{Curve, End, Of};
+use super::diagram::{Diagram, Options, SAME, Work, followed};
+use super::orbits::Orbits;
+use super::places::Rests;
+use super::switching;
+use super::zeros::{Family, Zeros};
+use crate::Fault;
+use crate::studies::periodic::{Periodic, Shooting};
+
+/// Periodic motions along a parameter, from the one that `start` leads to at the value where the diagram begins.
+///
+/// *Errors*: there is no regime to begin with, S151 where it repeats in a moving frame only, and those of the family.
+pub fn regimes(family: &mut dyn Family, start: &[f64], periodic: &Periodic<'_>, options: &Options<'_>) -> Result<Diagram, Fault> {
+    let (machine, _) = family.at(options.start)?;
+    let shooting = Shooting::new(machine, start, periodic)?;
+    if shooting.drifts() {
+        return Err(switching::drifts());
+    }
+    let (x, period) = shooting.regime();
+    let mut y = x.to_vec();
+    if !shooting.is_driven() {
+        y.push(period);
+    }
+    y.push(options.start);
+    let mut orbits = Orbits { family, shooting, returns: 1, range: options.to - options.from, work: [0; 2] };
+    let mut diagram = Diagram::default();
+    let of = Of::Orbits(usize::from(orbits.shooting.is_driven()));
+    whole(&mut orbits, y, of, (options, &mut diagram))?;
+    switching::of_orbits(&mut orbits, 0, options, &mut diagram);
+    let [turns, variations] = orbits.turns();
+    diagram.work = Work { turns, variations };
+    Ok(diagram)
+}
+
+/// Places of rest along a parameter, from the one that `start` leads to at the value where the diagram begins; periodic motions that part from them.
+///
+/// *Errors*: S154 where time occurs in the equations, S153 where nothing rests near the start, and those of the family.
+pub fn rests(family: &mut dyn Family, start: &[f64], options: &Options<'_>) -> Result<Diagram, Fault> {
+    let mut diagram = Diagram::default();
+    let n = crate::System::n_coordinates(family.at(options.start)?.0);
+    let mut rests = Rests::new(family, start, options.start, options.to - options.from)?;
+    let y = rests.settled(Rests::unknowns(start, n, options.start))?;
+    whole(&mut rests, y, Of::Rest, (options, &mut diagram))?;
+    switching::at_branch_points(&mut rests, 0, options, &mut diagram);
+    let [turns, variations] = rests.turns();
+    diagram.work = Work { turns, variations };
+    let count = diagram.special.len();
+    switching::from_rest(family, count, options, &mut diagram)?;
+    Ok(diagram)
+}
+
+/// The branch through a point, in both directions.
+pub(super) fn whole(zeros: &mut dyn Zeros, y: Vec<f64>, of: Of, (options, diagram): (&Options<'_>, &mut Diagram)) -> Result<(), Fault> {
+    let last = y.len() - 1;
+    let mut known: Option<Curve> = None;
+    for sign in [-1.0, 1.0] {
+        let outwards = if sign > 0.0 { options.to - y[last] } else { y[last] - options.from };
+        // where the range ends there is nothing to follow
+        if outwards <= SAME * (options.to - options.from) || known.as_ref().is_some_and(|c| c.ends[0] == Some(End::Closed)) {
+            continue;
+        }
+        let direction: Vec<f64> = (0..=last).map(|i| if i == last { sign * (options.to - options.from) } else { 0.0 }).collect();
+        let start = corrector::place(zeros, y.clone(), &direction)?.ok_or_else(switching::no_direction)?;
+        let curve = followed(zeros, start, options, diagram);
+        known = Some(match known {
+            Some(before) => before.then(curve),
+            None if sign < 0.0 => Curve { ends: [Some(End::Left), curve.ends[1].clone()], ..curve }.turned(),
+            None => Curve { ends: [Some(End::Left), curve.ends[1].clone()], ..curve },
+        });
+    }
+    if let Some(curve) = known {
+        diagram.take(Curve { of, ..curve });
+    }
+    Ok(())
+}

@@ -1,0 +1,357 @@
+//! A branch from one of its points on: steps along the tangent, each held against what lies on its way.
+
+use super::corrector::{self, Plane, settle};
+use super::locate::{self, Located, Special, What, flagged, located};
+use super::signs;
+use super::zeros::{Local, Place, Sort, Zeros};
+use crate::Fault;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// First step, as a share of the range of the parameter.
+const FIRST: f64 = 0.01;
+/// Longest step, of scaled length: a branch over the whole range has twenty points at least, and its picture no corners.
+const LONGEST: f64 = 0.05;
+/// A step below this share of the range cannot be told from rounding of the corrections.
+const SHORTEST: f64 = 1e-9;
+/// Cosine of the angle between the tangents at both ends of a step: beyond some 25 degrees a chord says nothing of the way.
+const STRAIGHT: f64 = 0.9;
+/// The angle that a step aims at, rad.
+const AIM: f64 = 0.15;
+/// A point may lie this share of the step from its guess.
+const BESIDE: f64 = 0.3;
+/// Corrections that are few, and many.
+const FEW: usize = 3;
+const MANY: usize = 6;
+/// Share of its distance from where it would decide something by which a multiplier may move in a step.
+const NEARER: f64 = 0.6;
+/// A distance that is resolved anyway: tests see what is farther apart.
+const RESOLVED: f64 = 0.05;
+/// Below this step what the count of multipliers tells is located by the count itself.
+const BY_COUNT: f64 = 1e-3;
+
+/// Why a branch ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// The parameter has left its range.
+    Left,
+    /// The branch has come back to where it began.
+    Closed,
+    /// It joins another branch, which is known from there on.
+    Joins,
+    /// It has as many points as were asked for.
+    Points,
+    /// A switch is only touched there, and what lies beyond does not follow from it.
+    Grazes,
+    /// No step leads further: how small the last one was, and why, where the equations say so.
+    Stuck(f64, Option<Fault>),
+    /// The user has interrupted.
+    Interrupted,
+}
+
+/// A branch.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// Its points in order.
+    pub places: Vec<Place>,
+    /// What happens on it, each with the index of the point behind it.
+    pub special: Vec<(usize, Special)>,
+    /// Why it begins and ends where it does; a branch that parts from another begins there.
+    pub ends: [Option<End>; 2],
+    /// The special point of another branch that it parts from.
+    pub parent: Option<usize>,
+    /// What its points are.
+    pub of: Of,
+}
+
+/// What the points of a branch are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Of {
+    /// Places of rest.
+    #[default]
+    Rest,
+    /// Motions that repeat after so many periods of the loads; 0 where the period is their own.
+    Orbits(usize),
+}
+
+impl Curve {
+    /// The same from its end to its beginning.
+    pub(super) fn turned(mut self) -> Curve {
+        let last = self.places.len();
+        self.places.reverse();
+        self.places.iter_mut().flat_map(|place| &mut place.tangent).for_each(|t| *t = -*t);
+        self.special.reverse();
+        self.special.iter_mut().for_each(|(place, _)| *place = last - *place);
+        self.ends.reverse();
+        self
+    }
+
+    /// A branch from its last point on: that of another direction from the same start.
+    pub(super) fn then(mut self, other: Curve) -> Curve {
+        let shift = self.places.len() - 1;
+        self.places.extend(other.places.into_iter().skip(1));
+        self.special.extend(other.special.into_iter().map(|(place, special)| (place + shift, special)));
+        let [_, end] = other.ends;
+        self.ends[1] = end;
+        self
+    }
+}
+
+/// Where and how far a branch is followed.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds<'a> {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) points: usize,
+    pub(super) interrupt: Option<&'a AtomicBool>,
+}
+
+impl Bounds<'_> {
+    fn interrupted(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+
+    /// The bound that a value lies beyond.
+    fn passed(&self, value: f64) -> Option<f64> {
+        if value > self.to {
+            Some(self.to)
+        } else if value < self.from {
+            Some(self.from)
+        } else {
+            None
+        }
+    }
+}
+
+/// What a step came to.
+enum Tried {
+    Done(Box<Place>, Vec<Located>, usize, Side),
+    Refused(Option<Fault>),
+}
+
+/// Where the end of a step lies.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Within,
+    AtBound,
+}
+
+/// Follows a branch; `known` says of a special point whether another branch has it.
+pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, known: &dyn Fn(&Special) -> bool) -> Curve {
+    let mut curve = Curve { places: vec![start.clone()], special: Vec::new(), ends: [None, Some(End::Points)], parent: None, of: Of::Rest };
+    let mut h = FIRST;
+    while curve.places.len() < bounds.points {
+        if bounds.interrupted() {
+            curve.ends[1] = Some(End::Interrupted);
+            return curve;
+        }
+        let Some(a) = curve.places.last().cloned() else { break };
+        let before = curve.places.len().checked_sub(2).map(|i| &curve.places[i]);
+        match attempt(zeros, &Way::on(before, &a, h), bounds) {
+            Tried::Refused(fault) => {
+                h *= 0.5;
+                if h < SHORTEST {
+                    let grazes = grazing(zeros, &a);
+                    curve.special.extend(grazes.map(|special| (curve.places.len() - 1, special)));
+                    let stuck =
+                        if curve.special.last().is_some_and(|s| s.1.what == What::Grazing) { End::Grazes } else { End::Stuck(h, fault) };
+                    curve.ends[1] = Some(stuck);
+                    return curve;
+                }
+            }
+            Tried::Done(b, events, steps, side) => {
+                let place = curve.places.len();
+                let joins = events.iter().any(|e| known(&e.special));
+                curve.special.extend(events.into_iter().map(|e| (place, e.special)));
+                let closed = curve.places.len() > 3 && closes(&start, &a, &b);
+                h = next_step(h, &a, &b, steps, zeros.sort());
+                curve.places.push(if closed { start.clone() } else { *b });
+                let end = if closed {
+                    Some(End::Closed)
+                } else if joins {
+                    Some(End::Joins)
+                } else {
+                    (side == Side::AtBound).then_some(End::Left)
+                };
+                if end.is_some() {
+                    curve.ends[1] = end;
+                    return curve;
+                }
+            }
+        }
+    }
+    curve
+}
+
+/// Steps beyond the end of a branch at which the motion is looked at: from what corrections resolve to what a straight way is good for.
+const BEYOND: [f64; 4] = [1e-8, 1e-7, 1e-6, 1e-4];
+
+/// The end of a branch beyond which the motion switches otherwise.
+fn grazing(zeros: &mut dyn Zeros, a: &Place) -> Option<Special> {
+    let other = |h: &f64| {
+        let ahead: Vec<f64> = a.y.iter().zip(&a.tangent).map(|(y, t)| y + h * t).collect();
+        zeros.switches(&ahead).is_some_and(|switches| switches != a.local.facts.switches)
+    };
+    let h = BEYOND.into_iter().find(other)?;
+    let last = a.y.len() - 1;
+    Some(Special { what: What::Grazing, place: a.clone(), within: (h * a.tangent[last]).abs() })
+}
+
+/// One step; refused where it is too long for what lies on it.
+fn attempt(zeros: &mut dyn Zeros, way: &Way<'_>, bounds: Bounds<'_>) -> Tried {
+    match step(zeros, way, bounds) {
+        Ok(tried) => tried,
+        Err(fault) => Tried::Refused(Some(fault)),
+    }
+}
+
+/// A step ahead: where it is likely to lead, and the derivatives that are likely there.
+struct Way<'a> {
+    a: &'a Place,
+    h: f64,
+    guess: Vec<f64>,
+    near: Local,
+}
+
+/// Steps of more than this multiple of the last one are not extrapolated by it.
+const REACH: f64 = 2.5;
+
+impl<'a> Way<'a> {
+    /// By the tangent, or by Hermite's cubic over the last step, and derivatives that go on as they did over it.
+    fn on(before: Option<&Place>, a: &'a Place, h: f64) -> Way<'a> {
+        let straight = || a.y.iter().zip(&a.tangent).map(|(y, t)| y + h * t).collect();
+        let length = before.map_or(0.0, |b| {
+            let way: Vec<f64> = a.y.iter().zip(&b.y).map(|(a, b)| a - b).collect();
+            a.dot(&way, &way).sqrt()
+        });
+        let Some(b) = before.filter(|b| h <= REACH * length && b.local.states == a.local.states) else {
+            return Way { a, h, guess: straight(), near: a.local.clone() };
+        };
+        let (u, s) = (1.0 + h / length, h / length);
+        let weights = [(1.0 + 2.0 * u) * s * s, u * s * s, u * u * (3.0 - 2.0 * u), u * u * s];
+        let at = |i: usize| weights[0] * b.y[i] + weights[2] * a.y[i] + length * (weights[1] * b.tangent[i] + weights[3] * a.tangent[i]);
+        let guess = (0..a.y.len()).map(at).collect();
+        let mut near = a.local.clone();
+        near.jacobian.iter_mut().zip(&b.local.jacobian).for_each(|(j, old)| *j += s * (*j - old));
+        Way { a, h, guess, near }
+    }
+}
+
+fn step(zeros: &mut dyn Zeros, way: &Way<'_>, bounds: Bounds<'_>) -> Result<Tried, Fault> {
+    let refused = Ok(Tried::Refused(None));
+    let (a, h) = (way.a, way.h);
+    let last = a.y.len() - 1;
+    let (mut guess, mut side) = (way.guess.clone(), Side::Within);
+    let mut reached = None;
+    if let Some(bound) = bounds.passed(guess[last]) {
+        guess = towards(&a.y, &guess, bound);
+        side = Side::AtBound;
+    } else {
+        let plane = Plane { through: &guess, normal: &a.tangent };
+        let Some(found) = settle(zeros, &way.near, &guess, &plane)? else { return refused };
+        match bounds.passed(found.y[last]) {
+            Some(bound) => {
+                guess = towards(&a.y, &found.y, bound);
+                side = Side::AtBound;
+            }
+            None => reached = Some(found),
+        }
+    }
+    let found = match reached {
+        Some(found) => found,
+        None => {
+            let across: Vec<f64> = (0..=last).map(|i| if i == last { a.local.scales[last] } else { 0.0 }).collect();
+            let Some(found) = settle(zeros, &way.near, &guess, &Plane { through: &guess, normal: &across })? else { return refused };
+            found
+        }
+    };
+    let mut y = found.y;
+    if side == Side::AtBound {
+        y[last] = guess[last];
+    }
+    let between = |u: &[f64], v: &[f64]| -> Vec<f64> { u.iter().zip(v).map(|(u, v)| u - v).collect() };
+    let off = between(&y, &guess);
+    if a.dot(&off, &off).sqrt() > BESIDE * h {
+        return refused;
+    }
+    let Some(b) = corrector::place(zeros, y, &a.tangent)? else { return refused };
+    let chord = between(&b.y, &a.y);
+    let straight = a.dot(&a.tangent, &b.tangent) / a.dot(&b.tangent, &b.tangent).sqrt();
+    // a step of no length has no direction: the branch begins at the bound
+    if straight < STRAIGHT || a.dot(&chord, &a.tangent) < 0.0 || turns_twice(a, &b) {
+        return refused;
+    }
+    let events = located(zeros, a, &b, &flagged(a, &b))?;
+    if locate::unexplained(a, &b, &events) {
+        if h > BY_COUNT {
+            return refused;
+        }
+        let more = locate::by_count(zeros, a, &b)?;
+        let events = events.into_iter().chain(more).collect();
+        return Ok(Tried::Done(Box::new(b), events, found.steps, side));
+    }
+    Ok(Tried::Done(Box::new(b), events, found.steps, side))
+}
+
+/// The point of a chord at a value of the parameter.
+fn towards(a: &[f64], b: &[f64], value: f64) -> Vec<f64> {
+    let last = a.len() - 1;
+    let share = (value - a[last]) / (b[last] - a[last]);
+    let mut y: Vec<f64> = a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect();
+    y[last] = value;
+    y
+}
+
+/// Whether the parameter, a cubic between both ends, turns twice: two folds, of which the signs at the ends tell nothing.
+fn turns_twice(a: &Place, b: &Place) -> bool {
+    let last = a.y.len() - 1;
+    let way: Vec<f64> = b.y.iter().zip(&a.y).map(|(b, a)| b - a).collect();
+    let length = a.dot(&way, &way).sqrt();
+    let (d0, d1, chord) = (a.tangent[last] * length, b.tangent[last] * length, way[last]);
+    if d0 * d1 <= 0.0 {
+        return false;
+    }
+    // p'(s) = d0 (1 - s)(1 - 3 s) + d1 s (3 s - 2) + 6 s (1 - s) chord: its middle, where it is least or greatest
+    let curvature = 3.0 * (d0 + d1) - 6.0 * chord;
+    let slope = 6.0 * chord - 4.0 * d0 - 2.0 * d1;
+    let s = if curvature == 0.0 { 0.0 } else { -0.5 * slope / curvature };
+    (0.0..1.0).contains(&s) && (d0 + slope * s + curvature * s * s) * d0 <= 0.0
+}
+
+/// Whether the branch has come back to its start on the way from a to b.
+fn closes(start: &Place, a: &Place, b: &Place) -> bool {
+    let between = |u: &Place, v: &Place| -> Vec<f64> { u.y.iter().zip(&v.y).map(|(u, v)| u - v).collect() };
+    let (way, there) = (between(b, a), between(start, a));
+    let length = a.dot(&way, &way);
+    let share = a.dot(&there, &way) / length;
+    let off: Vec<f64> = there.iter().zip(&way).map(|(t, w)| t - share * w).collect();
+    let same_way =
+        a.dot(&start.tangent, &b.tangent) > STRAIGHT * a.dot(&b.tangent, &b.tangent).sqrt() * a.dot(&start.tangent, &start.tangent).sqrt();
+    // a chord of a step leaves the branch by less than a twentieth of itself
+    (0.0..=1.0).contains(&share) && a.dot(&off, &off).sqrt() <= 0.05 * length.sqrt() && same_way
+}
+
+/// The step behind one: longer where the corrections were few and the branch is straight, shorter where multipliers come near to what they decide.
+fn next_step(h: f64, a: &Place, b: &Place, steps: usize, sort: Sort) -> f64 {
+    let cosine = a.dot(&a.tangent, &b.tangent) / a.dot(&b.tangent, &b.tangent).sqrt();
+    let angle = (2.0 * (1.0 - cosine).max(0.0)).sqrt();
+    let way: Vec<f64> = b.y.iter().zip(&a.y).map(|(b, a)| b - a).collect();
+    let done = a.dot(&way, &way).sqrt();
+    let mut factor = if steps <= FEW {
+        2.0
+    } else if steps >= MANY {
+        0.6
+    } else {
+        1.2
+    };
+    if angle > 0.0 {
+        factor = f64::min(factor, AIM / angle);
+    }
+    if let (Some(before), Some(now)) = (&a.local.facts.multipliers, &b.local.facts.multipliers) {
+        let moved = signs::moved(before, now);
+        if moved > 0.0 {
+            let near = signs::distance(now, sort).max(RESOLVED);
+            factor = f64::min(factor, NEARER * near / moved * (done / h));
+        }
+    }
+    (h * factor.clamp(0.2, 2.0)).min(LONGEST)
+}

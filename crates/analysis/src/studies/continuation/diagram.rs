@@ -1,0 +1,95 @@
+//! A diagram: its branches, and what happens on them.
+
+use super::curve::{Bounds, Curve, walk};
+use super::locate::{Special, What};
+use super::zeros::{Place, Zeros};
+use std::sync::atomic::AtomicBool;
+
+/// What is asked of a diagram.
+#[derive(Clone, Copy, Debug)]
+pub struct Options<'a> {
+    /// Least value of the parameter, SI.
+    pub from: f64,
+    /// Greatest value.
+    pub to: f64,
+    /// Where it begins.
+    pub start: f64,
+    /// Most points of a branch.
+    pub points: usize,
+    /// Most branches.
+    pub branches: usize,
+    /// Set from outside to end early.
+    pub interrupt: Option<&'a AtomicBool>,
+}
+
+/// What was counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Turns of the motion followed.
+    pub turns: usize,
+    /// Turns whose variations were followed.
+    pub variations: usize,
+}
+
+/// Branches, and what happens on them.
+#[derive(Clone, Debug, Default)]
+pub struct Diagram {
+    /// In the order in which they were followed.
+    pub curves: Vec<Curve>,
+    /// Special points with the branch and the index of the point of it that lies behind.
+    pub special: Vec<(usize, usize, Special)>,
+    /// Special points whose other branch was not followed, because there were enough.
+    pub left_out: usize,
+    /// Hopf points of a machine without damping: the motions that part there are families at each value of the parameter.
+    pub families: usize,
+    /// Period doublings whose motions have more periods than are followed.
+    pub deeper: usize,
+    /// Directions in which a branch parts but was not found.
+    pub unmet: usize,
+    /// Special points that branches have come to, with the direction from which they came.
+    pub(super) joined: Vec<(usize, Vec<f64>)>,
+    /// Work done.
+    pub work: Work,
+}
+
+/// Values of the parameter that are one, as a share of the range: special points are known far better.
+pub(super) const SAME: f64 = 1e-6;
+/// Unknowns that are one, in scales: those of a branch point are known to the root of what its parameter is.
+const ALIKE: f64 = 1e-4;
+
+/// Follows a branch.
+pub(super) fn followed(zeros: &mut dyn Zeros, start: Place, options: &Options<'_>, diagram: &Diagram) -> Curve {
+    let bounds = Bounds { from: options.from, to: options.to, points: options.points, interrupt: options.interrupt };
+    walk(zeros, start, bounds, &|special| diagram.known(special).is_some())
+}
+
+impl Diagram {
+    /// Takes a branch with what happens on it.
+    pub(super) fn take(&mut self, mut curve: Curve) {
+        let which = self.curves.len();
+        for (place, special) in std::mem::take(&mut curve.special) {
+            match self.known(&special) {
+                None => self.special.push((which, place, special)),
+                Some(k) => {
+                    let before = &curve.places[place - 1];
+                    self.joined.push((k, before.y.iter().zip(&special.place.y).map(|(a, b)| a - b).collect()));
+                }
+            }
+        }
+        self.curves.push(curve);
+    }
+
+    /// The special point of another branch that a branch point is, if it is one: that crosses there, or doubles its period.
+    pub(super) fn known(&self, special: &Special) -> Option<usize> {
+        let own = &special.place;
+        let range = own.local.scales.last().copied().unwrap_or(1.0);
+        let alike = |other: &Special| {
+            let near = |i: usize| (other.place.y[i] - own.y[i]).abs() <= ALIKE * own.local.scales[i];
+            matches!(other.what, What::Branch | What::Doubling)
+                && other.place.local.states == own.local.states
+                && (other.place.parameter() - own.parameter()).abs() <= SAME * range
+                && own.local.states.iter().all(|i| near(*i))
+        };
+        if special.what == What::Branch { self.special.iter().position(|(_, _, other)| alike(other)) } else { None }
+    }
+}

@@ -1,0 +1,324 @@
+//! What happens on a branch between two of its points, and where.
+//!
+//! The point at a share σ of the way is that of the branch in a plane across the chord. A test function that changes its sign between σ = 0 and 1 has its zero
+//! found by secants within a bracket; at a branch point, where corrections have no unique solution, by interpolation over points on both sides of it.
+
+use super::corrector::{self, Plane, settle};
+use super::signs::{leaves_as_pair, outside};
+use super::zeros::{Place, Sort, Zeros};
+use crate::Fault;
+
+/// What happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// The branch turns.
+    Fold,
+    /// Another branch crosses it.
+    Branch,
+    /// A place of rest begins to oscillate.
+    Hopf,
+    /// A regime of the double period parts from it.
+    Doubling,
+    /// A pair of multipliers leaves the unit circle.
+    Torus,
+    /// A switch is only touched: from there on it happens, or happens no more.
+    Grazing,
+}
+
+impl What {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            What::Fold => "fold",
+            What::Branch => "branch",
+            What::Hopf => "hopf",
+            What::Doubling => "period doubling",
+            What::Torus => "torus",
+            What::Grazing => "grazing",
+        }
+    }
+}
+
+/// A point at which something happens.
+#[derive(Clone, Debug)]
+pub struct Special {
+    /// What.
+    pub what: What,
+    /// The point.
+    pub place: Place,
+    /// Half of the interval of the parameter in which it is known to lie, SI; of a branch point the last change of its interpolation.
+    pub within: f64,
+}
+
+/// The same with its place on the way between two points.
+#[derive(Clone, Debug)]
+pub(super) struct Located {
+    pub(super) special: Special,
+    pub(super) share: f64,
+}
+
+/// A test function that changes its sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Test {
+    Fold,
+    Branch,
+    Doubling,
+    Pair,
+    Switches,
+    Count,
+}
+
+/// Evaluations of a test function.
+const MOST: usize = 60;
+/// Share of the way to which a zero is located: steps are some hundredths of the range, so that twelve digits of the parameter are known.
+const EXACT: f64 = 1e-11;
+/// The same of a fold, on both sides of which the parameter is the same.
+const OF_FOLD: f64 = 1e-8;
+/// The same of a change of the count of multipliers, and of the switches.
+const OF_COUNT: f64 = 1e-10;
+/// Share of the way around a branch point that is left out: its corrections are too uncertain.
+const AROUND: [f64; 2] = [0.04, 0.005];
+
+fn changes(a: f64, b: f64) -> bool {
+    a * b < 0.0
+}
+
+/// The tests whose functions change their sign between two points.
+pub(super) fn flagged(a: &Place, b: &Place) -> Vec<Test> {
+    let (s, t) = (&a.signs, &b.signs);
+    let mut list = Vec::new();
+    // determinants in other coordinates cannot be compared
+    let branch = a.local.states == b.local.states && changes(s.branch, t.branch);
+    if branch {
+        list.push(Test::Branch);
+    }
+    if changes(s.fold, t.fold) && !branch {
+        list.push(Test::Fold);
+    }
+    let both = |x: Option<f64>, y: Option<f64>| x.zip(y).is_some_and(|(x, y)| changes(x, y));
+    if both(s.doubling, t.doubling) {
+        list.push(Test::Doubling);
+    }
+    if both(s.pair, t.pair) && !(s.paired && t.paired) {
+        list.push(Test::Pair);
+    }
+    if a.local.facts.switches != b.local.facts.switches {
+        list.push(Test::Switches);
+    }
+    list
+}
+
+/// Whether the number of multipliers outside changes by more than what happens explains.
+pub(super) fn unexplained(a: &Place, b: &Place, events: &[Located]) -> bool {
+    let Some((before, after)) = a.signs.outside.zip(b.signs.outside) else { return false };
+    let by: usize = events
+        .iter()
+        .map(|e| match e.special.what {
+            What::Hopf | What::Torus => 2,
+            What::Grazing => usize::MAX / 8,
+            _ => 1,
+        })
+        .sum();
+    before.abs_diff(after) > by
+}
+
+/// Where each of the tests changes its sign, in order.
+///
+/// *Errors*: those of the equations.
+pub(super) fn located(zeros: &mut dyn Zeros, a: &Place, b: &Place, tests: &[Test]) -> Result<Vec<Located>, Fault> {
+    let mut list = Vec::new();
+    for test in tests {
+        list.extend(one(zeros, a, b, *test)?);
+    }
+    list.sort_by(|x, y| x.share.total_cmp(&y.share));
+    Ok(list)
+}
+
+/// Where the number of multipliers outside changes.
+///
+/// *Errors*: those of the equations.
+pub(super) fn by_count(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<Option<Located>, Fault> {
+    one(zeros, a, b, Test::Count)
+}
+
+/// The branch at a share of the way from a to b.
+fn inside(zeros: &mut dyn Zeros, a: &Place, b: &Place, (share, test): (f64, Test)) -> Result<Option<Place>, Fault> {
+    let way: Vec<f64> = b.y.iter().zip(&a.y).map(|(b, a)| b - a).collect();
+    let length = a.dot(&way, &way).sqrt();
+    let s = share;
+    // Hermite's cubic
+    let weights = [(1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s), s * (1.0 - s) * (1.0 - s), s * s * (3.0 - 2.0 * s), s * s * (s - 1.0)];
+    let guess: Vec<f64> = (0..a.y.len())
+        .map(|i| weights[0] * a.y[i] + weights[2] * b.y[i] + length * (weights[1] * a.tangent[i] + weights[3] * b.tangent[i]))
+        .collect();
+    // where derivatives vanish somewhere, those of both ends drive away from the branch
+    let fresh = if test == Test::Branch { Some(zeros.local(&guess)?) } else { None };
+    let near = fresh.as_ref().unwrap_or(if share < 0.5 { &a.local } else { &b.local });
+    let Some(found) = settle(zeros, near, &guess, &Plane { through: &guess, normal: &way })? else { return Ok(None) };
+    corrector::place(zeros, found.y, &way)
+}
+
+fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option<Located>, Fault> {
+    let sort = zeros.sort();
+    let value = |place: &Place| match test {
+        Test::Fold => place.signs.fold,
+        Test::Branch => place.signs.branch,
+        Test::Doubling => place.signs.doubling.unwrap_or(f64::NAN),
+        Test::Pair => place.signs.pair.unwrap_or(f64::NAN),
+        Test::Switches => {
+            if place.local.facts.switches == a.local.facts.switches {
+                1.0
+            } else {
+                -1.0
+            }
+        }
+        Test::Count => {
+            if place.signs.outside == a.signs.outside {
+                1.0
+            } else {
+                -1.0
+            }
+        }
+    };
+    let ends = [value(a), value(b)];
+    let Some(bracket) = bracket(zeros, (a, b), test, ends, &value)? else { return Ok(None) };
+    let Bracket { shares: [low, high], places: [before, after], .. } = &bracket;
+    let crossed = match test {
+        Test::Branch => crossing(zeros, a, b, 0.5 * (low + high))?,
+        _ => None,
+    };
+    let within = crossed.as_ref().map_or(0.5 * (after.parameter() - before.parameter()).abs(), |(_, within)| *within);
+    let place = crossed.map(|(place, _)| place);
+    let place = place.unwrap_or_else(|| if test == Test::Count { after.clone() } else { nearest(before, after, &value) });
+    let numbers = place.local.facts.multipliers.clone().unwrap_or_default();
+    let what = match test {
+        Test::Fold => What::Fold,
+        Test::Branch => What::Branch,
+        Test::Doubling => What::Doubling,
+        Test::Switches => What::Grazing,
+        Test::Pair if !leaves_as_pair(&numbers, sort) => return Ok(None),
+        Test::Pair => of_pair(sort),
+        Test::Count => of_count(&place, sort),
+    };
+    Ok(Some(Located { share: 0.5 * (low + high), special: Special { what, within, place } }))
+}
+
+fn of_pair(sort: Sort) -> What {
+    match sort {
+        Sort::Multipliers => What::Torus,
+        Sort::Roots => What::Hopf,
+    }
+}
+
+/// What has left the circle, by the multiplier that is farthest outside.
+fn of_count(place: &Place, sort: Sort) -> What {
+    let numbers = place.local.facts.multipliers.as_deref().unwrap_or_default();
+    let first = numbers.iter().find(|m| !m.trivial && outside(std::slice::from_ref(m), sort) > 0);
+    match (first, sort) {
+        (Some(m), _) if m.im != 0.0 => of_pair(sort),
+        (Some(m), Sort::Multipliers) if m.re < 0.0 => What::Doubling,
+        _ => What::Branch,
+    }
+}
+
+fn nearest(a: &Place, b: &Place, value: &dyn Fn(&Place) -> f64) -> Place {
+    if value(a).abs() < value(b).abs() { a.clone() } else { b.clone() }
+}
+
+/// Shares of the way on both sides of a zero, with the points there.
+struct Bracket {
+    shares: [f64; 2],
+    places: [Place; 2],
+}
+
+/// Secants within a bracket (Illinois): superlinear, and never outside.
+fn bracket(
+    zeros: &mut dyn Zeros,
+    (a, b): (&Place, &Place),
+    test: Test,
+    mut values: [f64; 2],
+    value: &dyn Fn(&Place) -> f64,
+) -> Result<Option<Bracket>, Fault> {
+    let smooth = !matches!(test, Test::Switches | Test::Count);
+    let enough = match test {
+        Test::Fold => OF_FOLD,
+        Test::Branch => AROUND[0],
+        Test::Switches | Test::Count => OF_COUNT,
+        _ => EXACT,
+    };
+    let mut found = Bracket { shares: [0.0, 1.0], places: [a.clone(), b.clone()] };
+    let mut kept: Option<usize> = None;
+    for _ in 0..MOST {
+        let [low, high] = found.shares;
+        let small = values.iter().any(|v| *v == 0.0);
+        if small || high - low <= enough {
+            break;
+        }
+        let secant = (low * values[1] - high * values[0]) / (values[1] - values[0]);
+        // a little off the zero, so that both ends of the bracket come in
+        let nudged = if secant - low < high - secant { secant + 0.2 * enough } else { secant - 0.2 * enough };
+        let share = if smooth && nudged > low && nudged < high { nudged } else { 0.5 * (low + high) };
+        let place = match inside(zeros, a, b, (share, test)) {
+            Ok(place) => place,
+            // beyond a switch that is touched there may be no motion nearby
+            Err(_) if test == Test::Switches => None,
+            Err(fault) => return Err(fault),
+        };
+        let Some(place) = place else {
+            if smooth {
+                return Ok((high - low < 1.0).then_some(found));
+            }
+            found.shares[1] = share;
+            continue;
+        };
+        let v = value(&place);
+        if v.is_nan() {
+            return Ok(None);
+        }
+        let side = usize::from(v * values[0] < 0.0);
+        if kept == Some(side) {
+            values[1 - side] *= 0.5;
+        }
+        kept = Some(side);
+        (found.shares[side], found.places[side], values[side]) = (share, place, v);
+    }
+    Ok(Some(found))
+}
+
+/// The branch point near a share of the way: the test function and the branch itself by cubics through points on both sides. With it the last change of its
+/// parameter.
+fn crossing(zeros: &mut dyn Zeros, a: &Place, b: &Place, near: f64) -> Result<Option<(Place, f64)>, Fault> {
+    let mut root = near;
+    let mut found: Option<(Place, f64)> = None;
+    for around in AROUND {
+        let shares = [-2.0, -1.0, 1.0, 2.0].map(|k| root + k * around);
+        let mut places = Vec::new();
+        for share in shares {
+            let Some(place) = inside(zeros, a, b, (share, Test::Branch))? else { return Ok(found) };
+            places.push(place);
+        }
+        let at = |s: f64, of: &dyn Fn(&Place) -> f64| -> f64 {
+            let weight = |i: usize| (0..4).filter(|j| *j != i).map(|j| (s - shares[j]) / (shares[i] - shares[j])).product::<f64>();
+            (0..4).map(|i| weight(i) * of(&places[i])).sum()
+        };
+        let turns = changes(a.signs.fold, b.signs.fold);
+        let test = |s: f64| at(s, &|place| if turns { place.signs.branch } else { place.signs.square });
+        let (mut low, mut high) = (shares[0], shares[3]);
+        if !changes(test(low), test(high)) {
+            return Ok(found);
+        }
+        for _ in 0..MOST {
+            let middle = 0.5 * (low + high);
+            if changes(test(low), test(middle)) { high = middle } else { low = middle }
+        }
+        root = 0.5 * (low + high);
+        let y: Vec<f64> = (0..a.y.len()).map(|i| at(root, &|place| place.y[i])).collect();
+        let tangent = (0..a.y.len()).map(|i| at(root, &|place| place.tangent[i])).collect();
+        let local = zeros.local(&y)?;
+        let place = Place { y, tangent, local, signs: places[1].signs.clone() };
+        let before = found.map_or_else(|| a.parameter(), |(place, _)| place.parameter());
+        let change = (place.parameter() - before).abs();
+        found = Some((place, change));
+    }
+    Ok(found)
+}

@@ -1,0 +1,201 @@
+//! Periodic motions as zeros: the states that a turn of given length misses.
+//!
+//! ```text
+//! R(x, p)    = φ_T(p)(x; p) - x                                   driven in time: T is that of the loads
+//! R(x, T, p) = φ_T(x; p) - x,   f(x_0) · (x - x_0)                 free: T is sought, and where the period begins is fixed beside the last point
+//! ```
+
+use super::zeros::{Facts, Family, Local, Sort, Zeros};
+use crate::Fault;
+use crate::studies::periodic::{Shooting, Turned};
+use crate::studies::stability::{Verdict, verdict};
+use words::{Message, Text};
+
+/// Step of the parameter for derivatives, as a share of its range: turns are known to some fourteen digits, and half of that is the best of a difference.
+const STEP: f64 = 1e-7;
+
+/// Periodic motions of a machine along its parameter.
+pub(super) struct Orbits<'f, 'o> {
+    pub(super) family: &'f mut dyn Family,
+    pub(super) shooting: Shooting<'o>,
+    /// Periods of the loads in one of the motion.
+    pub(super) returns: usize,
+    /// Range of the parameter.
+    pub(super) range: f64,
+    /// Turns followed, and turns varied.
+    pub(super) work: [usize; 2],
+}
+
+impl<'o> Orbits<'_, 'o> {
+    /// Scales of the unknowns.
+    fn scales(&self) -> Vec<f64> {
+        let mut scales = self.shooting.scales().to_vec();
+        if !self.shooting.is_driven() {
+            scales.push(self.shooting.regime().1);
+        }
+        scales.push(self.range);
+        scales
+    }
+
+    /// The turn that begins at y.
+    fn turn(&mut self, y: &[f64]) -> Result<Turned<'o>, Fault> {
+        let n = self.shooting.scales().len();
+        let value = y[y.len() - 1];
+        self.work[0] += 1;
+        let (machine, period) = self.family.at(value)?;
+        let period = if self.shooting.is_driven() { period.ok_or_else(no_period)? * self.returns as f64 } else { y[n] };
+        if !(period > 0.0 && period.is_finite()) {
+            return Err(no_period());
+        }
+        self.shooting.turn(machine, &y[..n], period)
+    }
+
+    fn off(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
+        let turned = self.turn(y)?;
+        Ok(missed(&turned, y, near))
+    }
+}
+
+/// R in scales.
+fn missed(turned: &Turned<'_>, y: &[f64], near: &Local) -> Vec<f64> {
+    let all = turned.gap();
+    let mut gap: Vec<f64> = near.states.iter().map(|&i| all[i] / near.scales[i]).collect();
+    if let Some((rates, x)) = &near.phase {
+        gap.push(rates.iter().zip(y.iter().zip(x)).zip(&near.scales).map(|((r, (y, x)), s)| r / s * ((y - x) / s)).sum());
+    }
+    gap
+}
+
+impl Zeros for Orbits<'_, '_> {
+    fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
+        let mut turned = self.turn(y)?;
+        self.work[1] += 1;
+        let (last, n) = (y.len() - 1, self.shooting.scales().len());
+        let (machine, _) = self.family.at(y[last])?;
+        if self.shooting.is_driven() && !turned.laws_repeat(machine)? {
+            return Err(not_the_period(turned.period()));
+        }
+        let coordinates = crate::System::n_coordinates(machine);
+        self.shooting.widen(machine, &turned);
+        turned.rescale(self.shooting.scales());
+        let varied = self.shooting.vary(machine, &mut turned)?;
+        let scales = self.scales();
+        let k = varied.states.len();
+        let mut basis: Vec<Vec<f64>> = Vec::new();
+        for (column, &j) in varied.basis.iter().zip(&varied.states) {
+            let mut whole: Vec<f64> = column.iter().zip(&scales).map(|(c, s)| c * scales[j] / s).collect();
+            whole.resize(y.len(), 0.0);
+            basis.push(whole);
+        }
+        let free = last - n;
+        for i in 0..=free {
+            basis.push((0..y.len()).map(|l| if l == n + i { 1.0 } else { 0.0 }).collect());
+        }
+        let phase = (free == 1).then(|| {
+            let size = varied.rates.iter().zip(&scales).map(|(r, s)| (r / s) * (r / s)).sum::<f64>().sqrt();
+            (varied.rates.iter().map(|r| r / size).collect::<Vec<f64>>(), y[..n].to_vec())
+        });
+        let multipliers = varied.multipliers.clone();
+        let facts = Facts {
+            period: turned.period(),
+            extremes: turned.extremes(coordinates),
+            stable: multipliers.as_deref().and_then(|m| match verdict(m) {
+                Verdict::Stable => Some(true),
+                Verdict::Unstable => Some(false),
+                Verdict::Limit => None,
+            }),
+            multipliers,
+            switches: turned.switches(),
+            miss: 0.0,
+            liouville: varied.liouville,
+        };
+        let mut local = Local { scales, jacobian: Vec::new(), residual: Vec::new(), basis, states: varied.states.clone(), phase, facts };
+        let here = missed(&turned, y, &local);
+        let mut there = y.to_vec();
+        there[last] += STEP * self.range;
+        let there = self.off(&there, &local)?;
+        let columns = local.basis.len();
+        let mut jacobian = vec![0.0; (columns - 1) * columns];
+        for i in 0..k {
+            for j in 0..k {
+                jacobian[i * columns + j] = varied.matrix[i * k + j] - if i == j { 1.0 } else { 0.0 };
+            }
+            if free == 1 {
+                let state = local.states[i];
+                jacobian[i * columns + k] = varied.rates[state] * local.scales[n] / local.scales[state];
+            }
+            jacobian[i * columns + columns - 1] = (there[i] - here[i]) / STEP;
+        }
+        if let Some((rates, _)) = &local.phase {
+            for j in 0..k {
+                jacobian[k * columns + j] = rates.iter().zip(&local.basis[j]).zip(&local.scales).map(|((r, b), s)| r / s * b).sum();
+            }
+        }
+        (local.jacobian, local.residual) = (jacobian, here);
+        Ok(local)
+    }
+
+    fn residual(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
+        self.off(y, near)
+    }
+
+    fn moved(&mut self, y: &[f64], change: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
+        let mut y = y.to_vec();
+        for (c, column) in change.iter().zip(&near.basis) {
+            y.iter_mut().zip(column).zip(&near.scales).for_each(|((y, b), s)| *y += c * b * s);
+        }
+        let n = self.shooting.scales().len();
+        let (machine, _) = self.family.at(y[y.len() - 1])?;
+        self.shooting.project(machine, &mut y[..n])?;
+        Ok(y)
+    }
+
+    fn switches(&mut self, y: &[f64]) -> Option<Vec<usize>> {
+        self.turn(y).ok().map(|turned| turned.switches())
+    }
+
+    fn sort(&self) -> Sort {
+        Sort::Multipliers
+    }
+
+    fn turns(&self) -> [usize; 2] {
+        self.work
+    }
+}
+
+fn no_period() -> Fault {
+    Fault::new(Message {
+        code: "S150",
+        what: Text::new(
+            "the motion is driven in time, and no period follows from the file",
+            "движение вынужденное, а период из файла не следует",
+        ),
+        why: Text::new(
+            "a forced motion can repeat only after whole periods of its loads, which change with the parameter",
+            "вынужденное движение может повторяться только через целое число периодов нагрузок, а они меняются вместе с параметром",
+        ),
+        help: Text::new(
+            "give the period as a formula of the parameter: period = \"2*pi/w\"",
+            "задайте период формулой от параметра: period = \"2*pi/w\"",
+        ),
+    })
+}
+
+fn not_the_period(period: f64) -> Fault {
+    let n = words::digits::number(period);
+    Fault::new(Message {
+        code: "S150",
+        what: Text::new(
+            format!("{} s is not a period of the loads at this value of the parameter", n.en),
+            format!("{} с – не период нагрузок при этом значении параметра", n.ru),
+        ),
+        why: Text::new(
+            "the loads change with the parameter, and the period that was given does not, or otherwise",
+            "нагрузки меняются вместе с параметром, а заданный период не меняется или меняется иначе",
+        ),
+        help: Text::new(
+            "give the period as a formula of the parameter: period = \"2*pi/w\"",
+            "задайте период формулой от параметра: period = \"2*pi/w\"",
+        ),
+    })
+}

@@ -1,0 +1,256 @@
+//! Places of rest as zeros: the accelerations of the coordinates (and the rates of auxiliary states) of a machine that does not move.
+//!
+//! ```text
+//! R(q, s, p) = (q'', s')(q, q' = 0, s; p),      J = ∂R/∂(q, s),      stability: roots of x' = A x on what the connections leave free
+//! ```
+
+use super::zeros::{Facts, Family, Local, Sort, Zeros};
+use crate::integrate::taylor::{Flow, Options as Tolerances};
+use crate::studies::periodic::{Multiplier, tangent_of};
+use crate::{Fault, Machine, Mode, System};
+use algebra::eigen::general;
+use words::{Message, Text};
+
+/// Step of the parameter for derivatives, as a share of its range: accelerations are known to rounding, and half of their digits is the best of a difference.
+const STEP: f64 = 1e-7;
+/// A coordinate without a size: a thousandth of its unit.
+const SMALL: f64 = 1e-3;
+/// Rounding of the entries of A, as a share of the largest root.
+const ROUNDING: f64 = 1e-11;
+/// Frequencies that differ by less than this share of the largest root may be one: a double root is known to the root of rounding.
+const APART: f64 = 1e-6;
+/// Corrections from a start to the first place.
+const CORRECTIONS: usize = 60;
+/// A correction below this, in scales, has arrived.
+const ENOUGH: f64 = 1e-13;
+
+/// Places of rest of a machine along its parameter.
+pub(super) struct Rests<'f> {
+    pub(super) family: &'f mut dyn Family,
+    /// Switch positions at rest.
+    modes: Vec<Mode>,
+    /// Sizes of the states.
+    sizes: Vec<f64>,
+    range: f64,
+    evaluations: usize,
+}
+
+/// Rates of the states at rest.
+fn rates(machine: &mut Machine, x: &[f64], modes: &[Mode]) -> Result<Vec<f64>, Fault> {
+    machine.expand(0.0, x, modes, 1)?;
+    Ok((0..x.len()).map(|i| machine.state(i)[1]).collect())
+}
+
+impl<'f> Rests<'f> {
+    /// The machine near a start, which need not be at rest.
+    ///
+    /// *Errors*: S154 where time occurs in the equations, and those of the start.
+    pub(super) fn new(family: &'f mut dyn Family, start: &[f64], value: f64, range: f64) -> Result<Rests<'f>, Fault> {
+        let (machine, _) = family.at(value)?;
+        let n = machine.n_coordinates();
+        let mut x = start.to_vec();
+        x[n..2 * n].fill(0.0);
+        let modes = Flow::start(machine, 0.0, &x, &Tolerances::default())?.modes().to_vec();
+        let mut rows = Vec::new();
+        machine.slopes(0.0, &x, &modes, &mut rows)?;
+        let width = x.len() + 1;
+        if (0..x.len()).any(|i| rows[i * width + x.len()] != 0.0) {
+            return Err(driven());
+        }
+        let size = |(i, x): (usize, &f64)| if machine.states()[i].unit == "rad" { 1.0 } else { x.abs().max(SMALL) };
+        let sizes = x.iter().enumerate().map(size).collect();
+        Ok(Rests { family, modes, sizes, range, evaluations: 0 })
+    }
+
+    /// Unknowns at a state.
+    pub(super) fn unknowns(x: &[f64], n: usize, value: f64) -> Vec<f64> {
+        let mut y: Vec<f64> = x.iter().enumerate().map(|(i, x)| if (n..2 * n).contains(&i) { 0.0 } else { *x }).collect();
+        y.push(value);
+        y
+    }
+
+    /// The place of rest that a start leads to by corrections at most as long as the sizes.
+    ///
+    /// *Errors*: S153 where they do not settle.
+    pub(super) fn settled(&mut self, mut y: Vec<f64>) -> Result<Vec<f64>, Fault> {
+        for _ in 0..CORRECTIONS {
+            let near = self.local(&y)?;
+            let k = near.basis.len();
+            let m = k - 1;
+            let residual = self.residual(&y, &near)?;
+            let square: Vec<f64> = (0..m * m).map(|e| near.jacobian[e / m * k + e % m]).collect();
+            let right: Vec<f64> = residual.iter().map(|r| -r).collect();
+            let Some(mut change) = algebra::lu::Lu::exact(&square, m).and_then(|lu| lu.solve(&right)) else { break };
+            let largest = change.iter().fold(0.0_f64, |l, c| l.max(c.abs()));
+            let share = if largest > 1.0 { 1.0 / largest } else { 1.0 };
+            change.iter_mut().for_each(|c| *c *= share);
+            change.push(0.0);
+            y = self.moved(&y, &change, &near)?;
+            if largest <= ENOUGH {
+                return Ok(y);
+            }
+        }
+        Err(nowhere())
+    }
+}
+
+impl Zeros for Rests<'_> {
+    fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
+        let (modes, last) = (self.modes.clone(), y.len() - 1);
+        self.evaluations += 1;
+        let (machine, _) = self.family.at(y[last])?;
+        let (n, x) = (machine.n_coordinates(), &y[..last]);
+        for (size, x) in self.sizes.iter_mut().zip(x) {
+            *size = size.max(x.abs());
+        }
+        // an angle has the size of a radian, and the scale of a rate is that of its coordinate
+        let mut scales = self.sizes.clone();
+        for i in 0..n {
+            if machine.states()[i].unit == "rad" {
+                scales[i] = 1.0;
+            }
+            scales[n + i] = scales[i];
+        }
+        let (free, basis) = tangent_of(machine, (x, &modes), &scales)?;
+        let mut rows = Vec::new();
+        machine.slopes(0.0, x, &modes, &mut rows)?;
+        let width = x.len() + 1;
+        let a = |i: usize, column: &[f64]| column.iter().enumerate().map(|(j, c)| rows[i * width + j] * c).sum::<f64>();
+        // of coordinates and auxiliary states; rates stay zero
+        let still: Vec<usize> = (0..free.len()).filter(|k| !(n..2 * n).contains(&free[*k])).collect();
+        let equation = |i: usize| if i < n { n + i } else { i };
+        let states: Vec<usize> = still.iter().map(|k| free[*k]).collect();
+        let (m, columns) = (states.len(), states.len() + 1);
+        let mut jacobian = vec![0.0; m * columns];
+        for (r, &i) in states.iter().enumerate() {
+            for (c, &k) in still.iter().enumerate() {
+                jacobian[r * columns + c] = a(equation(i), &basis[k]) * scales[free[k]] / scales[i];
+            }
+        }
+        let matrix: Vec<f64> = free
+            .iter()
+            .flat_map(|&i| free.iter().enumerate().map(move |(k, &j)| (i, k, j)))
+            .map(|(i, k, j)| a(i, &basis[k]) * scales[j] / scales[i])
+            .collect();
+        let multipliers = roots(free.len(), &matrix)?;
+        let mut directions: Vec<Vec<f64>> = Vec::new();
+        for &k in &still {
+            let mut whole: Vec<f64> = basis[k].iter().zip(&scales).map(|(b, s)| b * scales[free[k]] / s).collect();
+            whole[n..2 * n].fill(0.0);
+            whole.push(0.0);
+            directions.push(whole);
+        }
+        directions.push((0..y.len()).map(|i| if i == last { 1.0 } else { 0.0 }).collect());
+        scales.push(self.range);
+        let facts = Facts {
+            period: 0.0,
+            extremes: x[..n].iter().map(|q| [*q, *q]).collect(),
+            stable: stable(&multipliers),
+            multipliers: Some(multipliers),
+            ..Facts::default()
+        };
+        let mut local = Local { scales, jacobian, residual: Vec::new(), basis: directions, states, phase: None, facts };
+        let here = self.residual(y, &local)?;
+        let mut beside = y.to_vec();
+        beside[last] += STEP * self.range;
+        let there = self.residual(&beside, &local)?;
+        for r in 0..m {
+            local.jacobian[r * columns + m] = (there[r] - here[r]) / STEP;
+        }
+        local.residual = here;
+        Ok(local)
+    }
+
+    fn residual(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
+        let (modes, last) = (self.modes.clone(), y.len() - 1);
+        let (machine, _) = self.family.at(y[last])?;
+        let n = machine.n_coordinates();
+        let found = rates(machine, &y[..last], &modes)?;
+        Ok(near.states.iter().map(|&i| found[if i < n { n + i } else { i }] / near.scales[i]).collect())
+    }
+
+    fn moved(&mut self, y: &[f64], change: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
+        let mut y = y.to_vec();
+        for (c, column) in change.iter().zip(&near.basis) {
+            y.iter_mut().zip(column).zip(&near.scales).for_each(|((y, b), s)| *y += c * b * s);
+        }
+        let (modes, last) = (self.modes.clone(), y.len() - 1);
+        let (machine, _) = self.family.at(y[last])?;
+        machine.project(0.0, &mut y[..last], &modes)?;
+        let n = machine.n_coordinates();
+        y[n..2 * n].fill(0.0);
+        Ok(y)
+    }
+
+    fn switches(&mut self, _: &[f64]) -> Option<Vec<usize>> {
+        None
+    }
+
+    fn sort(&self) -> Sort {
+        Sort::Roots
+    }
+
+    fn turns(&self) -> [usize; 2] {
+        [0, self.evaluations]
+    }
+}
+
+/// Eigenvalues of the linear equations, those that grow most first.
+fn roots(n: usize, matrix: &[f64]) -> Result<Vec<Multiplier>, Fault> {
+    let values = general(n, matrix)?.values;
+    let largest = values.iter().map(|z| algebra::complex::abs(*z)).fold(0.0, f64::max);
+    let root = |z: &algebra::complex::Complex| Multiplier { re: z.re, im: z.im, error: ROUNDING * largest, ..Multiplier::default() };
+    let mut list: Vec<Multiplier> = values.iter().map(root).collect();
+    list.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
+    Ok(list)
+}
+
+/// Whether no root grows; none where one of them is zero, or several on the imaginary axis are one. A single one there oscillates for ever, as far as linear
+/// equations say.
+fn stable(roots: &[Multiplier]) -> Option<bool> {
+    let largest = roots.iter().map(Multiplier::abs).fold(0.0, f64::max);
+    let margin = |m: &Multiplier| m.error.max(super::signs::NEUTRAL * largest);
+    if roots.iter().any(|m| m.re > margin(m)) {
+        return Some(false);
+    }
+    let lone = |k: usize, m: &Multiplier| {
+        let far = |(i, other): (usize, &Multiplier)| i == k || (other.im - m.im).abs() > APART * largest;
+        m.im.abs() > APART * largest && roots.iter().enumerate().all(far)
+    };
+    roots.iter().enumerate().all(|(k, m)| m.re < -margin(m) || lone(k, m)).then_some(true)
+}
+
+/// Time occurs in the equations.
+fn driven() -> Fault {
+    Fault::new(Message {
+        code: "S154",
+        what: Text::new(
+            "a machine driven in time has no place of rest to follow",
+            "у машины с нагрузками, зависящими от времени, нет положений равновесия",
+        ),
+        why: Text::new("time occurs in the equations", "время входит в уравнения явно"),
+        help: Text::new(
+            "follow its periodic motions: give the period, period = \"2*pi/w\"",
+            "проследите её периодические движения: задайте период, period = \"2*pi/w\"",
+        ),
+    })
+}
+
+/// No place of rest near the start.
+fn nowhere() -> Fault {
+    Fault::new(Message {
+        code: "S153",
+        what: Text::new(
+            "no place of rest is found from the start of the file",
+            "от начального положения из файла положение равновесия не находится",
+        ),
+        why: Text::new(
+            "the start is far from rest, or the machine cannot rest at this value of the parameter",
+            "начальное положение далеко от равновесия или при этом значении параметра равновесия нет",
+        ),
+        help: Text::new(
+            "begin where the machine rests: take a place that `strutt equilibrium` names as the start of the coordinates",
+            "начните с положения равновесия: возьмите за начальные значения координат положение, которое называет `strutt equilibrium`",
+        ),
+    })
+}

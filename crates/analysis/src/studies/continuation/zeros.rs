@@ -1,0 +1,136 @@
+//! What is followed: equations R(y) = 0 with one unknown more than there are equations, the last unknown being the parameter.
+
+use crate::studies::periodic::Multiplier;
+use crate::{Fault, Machine};
+
+/// A machine whose parameter can be given values.
+pub trait Family {
+    /// The machine with that value, and the period of its loads; none where its motion is free.
+    ///
+    /// *Errors*: what the model says against the value.
+    fn at(&mut self, value: f64) -> Result<(&mut Machine, Option<f64>), Fault>;
+}
+
+/// What a point of a branch is, for those who read it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Facts {
+    /// Period, s; 0 of a place of rest.
+    pub period: f64,
+    /// Least and greatest value of each coordinate, SI.
+    pub extremes: Vec<[f64; 2]>,
+    /// Multipliers, or roots of the linear equations of a place of rest; largest first. None where the motion has no derivative by its start.
+    pub multipliers: Option<Vec<Multiplier>>,
+    /// Whether small disturbances die out; none where that is not decided.
+    pub stable: Option<bool>,
+    /// The guards that switch in a period.
+    pub switches: Vec<usize>,
+    /// Newton's next correction of the point, in scales.
+    pub miss: f64,
+    /// By how much Liouville's formula is missed.
+    pub liouville: f64,
+}
+
+/// The equations near a point.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Local {
+    /// Sizes of the unknowns, SI.
+    pub(super) scales: Vec<f64>,
+    /// ∂R/∂c: rows are the equations, columns the free directions and the parameter as the last one, all in scales.
+    pub(super) jacobian: Vec<f64>,
+    /// R there, in scales.
+    pub(super) residual: Vec<f64>,
+    /// Change of y by each direction, in scales.
+    pub(super) basis: Vec<Vec<f64>>,
+    /// States that are compared at the end of a turn.
+    pub(super) states: Vec<usize>,
+    /// Phase of a free motion: rates and state at which the phase is fixed.
+    pub(super) phase: Option<(Vec<f64>, Vec<f64>)>,
+    pub(super) facts: Facts,
+}
+
+impl Local {
+    /// Number of equations.
+    pub(super) fn rows(&self) -> usize {
+        self.basis.len().saturating_sub(1)
+    }
+}
+
+/// Equations with one unknown more.
+pub(super) trait Zeros {
+    /// The equations near y.
+    fn local(&mut self, y: &[f64]) -> Result<Local, Fault>;
+
+    /// R(y) in scales.
+    fn residual(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault>;
+
+    /// y changed in the directions of a point near it, on the conditions of connections.
+    fn moved(&mut self, y: &[f64], change: &[f64], near: &Local) -> Result<Vec<f64>, Fault>;
+
+    /// The guards that switch in the motion from y; none where there is no motion.
+    fn switches(&mut self, y: &[f64]) -> Option<Vec<usize>>;
+
+    /// Which test functions mean something.
+    fn sort(&self) -> Sort;
+
+    /// Work done.
+    fn turns(&self) -> [usize; 2];
+}
+
+/// What the numbers of stability are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    /// Multipliers: stable inside of the unit circle.
+    Multipliers,
+    /// Roots: stable left of the imaginary axis.
+    Roots,
+}
+
+/// The test functions at a point.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Signs {
+    pub(super) fold: f64,
+    pub(super) branch: f64,
+    /// det J without the column of the parameter: zero at a fold and at a branch point, and known to all digits of Φ, where the column is that of a difference.
+    pub(super) square: f64,
+    /// None of places of rest.
+    pub(super) doubling: Option<f64>,
+    /// Torus or Hopf.
+    pub(super) pair: Option<f64>,
+    /// Whether some pair is on the circle (the axis), as all are in a machine without damping.
+    pub(super) paired: bool,
+    /// Number of multipliers outside.
+    pub(super) outside: Option<usize>,
+}
+
+/// A point of a branch.
+#[derive(Clone, Debug, Default)]
+pub struct Place {
+    /// Unknowns, SI; the parameter is the last one.
+    pub(super) y: Vec<f64>,
+    /// Direction of the branch: dy/ds, in SI.
+    pub(super) tangent: Vec<f64>,
+    pub(super) local: Local,
+    pub(super) signs: Signs,
+}
+
+impl Place {
+    /// Value of the parameter, SI.
+    pub fn parameter(&self) -> f64 {
+        self.y.last().copied().unwrap_or(f64::NAN)
+    }
+
+    /// All unknowns: states at the start, the period of a free motion, the parameter; SI.
+    pub fn unknowns(&self) -> &[f64] {
+        &self.y
+    }
+
+    /// What it is.
+    pub fn facts(&self) -> &Facts {
+        &self.local.facts
+    }
+
+    /// a · b in the scales of this place.
+    pub(super) fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).zip(&self.local.scales).map(|((a, b), s)| a / s * (b / s)).sum()
+    }
+}

@@ -1,0 +1,222 @@
+//! The map of a turn beside a regime, as those need it who follow regimes along a parameter: where a start leads after a time, by how much it misses
+//! itself, and what becomes of small changes of it.
+
+use super::found::{Found, tangent};
+use super::fundamental::Blur;
+use super::newton;
+use super::options::{Multiplier, Periodic};
+use super::orbit::{Limit, Orbit, Section, follow};
+use super::spectrum::spectrum;
+use super::symmetry::{self, Symmetry};
+use super::turns::Turns;
+use crate::integrate::taylor::{Flow, Options};
+use crate::{Fault, Mode, System};
+
+/// What a regime tells of all its neighbours: scales, symmetries, whole turns that the laws do not feel.
+pub(in crate::studies) struct Shooting<'o> {
+    found: Found<'o>,
+    flow: Options,
+    seed: u64,
+}
+
+/// A turn of given length.
+pub(in crate::studies) struct Turned<'o>(Found<'o>);
+
+/// What a turn does to small changes of its start.
+pub(in crate::studies) struct Varied {
+    /// States that have to come back and can be chosen freely.
+    pub(in crate::studies) states: Vec<usize>,
+    /// Change of all states per change of each of these, column by column.
+    pub(in crate::studies) basis: Vec<Vec<f64>>,
+    /// Change at the end per change of the start, of these states in their scales, row by row.
+    pub(in crate::studies) matrix: Vec<f64>,
+    /// Rates at the end of the turn, of all states.
+    pub(in crate::studies) rates: Vec<f64>,
+    /// By how much Liouville's formula is missed.
+    pub(in crate::studies) liouville: f64,
+    /// Largest first; none where the turn has no derivative by its start.
+    pub(in crate::studies) multipliers: Option<Vec<Multiplier>>,
+}
+
+impl<'o> Shooting<'o> {
+    /// The regime near a start.
+    ///
+    /// *Errors*: those of the study `periodic`.
+    pub(in crate::studies) fn new<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Self, Fault> {
+        let found = newton::solve(system, start, options)?;
+        let flow = Options { tolerance: options.tolerance, span: found.orbit.period, ..Options::default() };
+        Ok(Shooting { found, flow, seed: options.seed })
+    }
+
+    /// Small motions beside a place of rest, whose period is near a given one.
+    ///
+    /// *Errors*: those of the start.
+    pub(in crate::studies) fn beside<S: System + ?Sized>(
+        system: &mut S,
+        x: &[f64],
+        (scales, period): (&[f64], f64),
+        options: &Periodic<'o>,
+    ) -> Result<Self, Fault> {
+        let flow = Options { tolerance: options.tolerance, span: period, ..Options::default() };
+        let modes = Flow::start(system, 0.0, x, &flow)?.modes().to_vec();
+        let symmetry = Symmetry { frame: Some(vec![0.0; x.len()]), shifts: Vec::new() };
+        let orbit = Orbit { first: x.to_vec(), last: x.to_vec(), period, modes: [modes.clone(), modes], ..Orbit::default() };
+        let found = Found {
+            orbit,
+            scales: scales.to_vec(),
+            loose: symmetry.clone(),
+            symmetry,
+            free: Vec::new(),
+            basis: Vec::new(),
+            turns: Turns::default(),
+            shrunk: false,
+            listener: options.listener,
+        };
+        Ok(Shooting { found, flow, seed: options.seed })
+    }
+
+    /// State at the start and period.
+    pub(in crate::studies) fn regime(&self) -> (&[f64], f64) {
+        (&self.found.orbit.first, self.found.orbit.period)
+    }
+
+    /// Whether time occurs in the equations.
+    pub(in crate::studies) fn is_driven(&self) -> bool {
+        self.found.is_driven()
+    }
+
+    /// Whether the motion repeats only in a frame that moves.
+    pub(in crate::studies) fn drifts(&self) -> bool {
+        self.found.symmetry.frame.as_ref().is_some_and(|frame| frame.iter().any(|v| *v != 0.0))
+    }
+
+    /// What the states vary by.
+    pub(in crate::studies) fn scales(&self) -> &[f64] {
+        &self.found.scales
+    }
+
+    /// Takes larger scales where a regime has become larger than all before it.
+    pub(in crate::studies) fn widen<S: System + ?Sized>(&mut self, system: &S, turned: &Turned<'_>) {
+        let now = newton::scales(system, &turned.0.orbit, None);
+        self.found.scales.iter_mut().zip(now).for_each(|(scale, now)| *scale = scale.max(now));
+    }
+
+    /// The motion from a state over a time.
+    ///
+    /// *Errors*: those of a motion; S042 after an interruption.
+    pub(in crate::studies) fn turn<S: System + ?Sized>(&self, system: &mut S, x: &[f64], period: f64) -> Result<Turned<'o>, Fault> {
+        let limit = Limit { time: period, listener: self.found.listener };
+        let flow = Options { span: period, ..self.flow.clone() };
+        let (orbit, _) = follow(system, x, &[Section::Time(period)], limit, &flow)?.ok_or_else(|| super::faults::unsettled(1.0, 1))?;
+        Ok(Turned(Found {
+            orbit,
+            scales: self.found.scales.clone(),
+            symmetry: self.found.symmetry.clone(),
+            loose: self.found.loose.clone(),
+            free: Vec::new(),
+            basis: Vec::new(),
+            turns: self.found.turns.clone(),
+            shrunk: false,
+            listener: self.found.listener,
+        }))
+    }
+
+    /// Puts a start back onto the conditions of connections.
+    ///
+    /// *Errors*: they cannot be met nearby.
+    pub(in crate::studies) fn project<S: System + ?Sized>(&self, system: &mut S, x: &mut [f64]) -> Result<(), Fault> {
+        system.project(0.0, x, &self.found.orbit.modes[0]).map(|_| ())
+    }
+
+    /// What becomes of small changes.
+    ///
+    /// *Errors*: S054 and S055 where there is no derivative, S122 over a change point.
+    pub(in crate::studies) fn vary<S: System + ?Sized>(&self, system: &mut S, turned: &mut Turned<'_>) -> Result<Varied, Fault> {
+        let found = &mut turned.0;
+        let (free, basis) = tangent(system, (&found.orbit.first, &found.orbit.modes[0]), &found.scales, None, &found.symmetry)?;
+        (found.free, found.basis) = (free, basis);
+        let (turn, blur) = found.turn(system)?;
+        let multipliers = if blur == Blur::None { Some(spectrum(&turn, self.seed)?.multipliers) } else { None };
+        let states = found.returning(None);
+        let column = |j: &usize| found.free.iter().position(|i| i == j).map(|k| found.basis[k].clone()).unwrap_or_default();
+        let basis = states.iter().map(column).collect();
+        let rates = found.flow_at_end(system)?;
+        Ok(Varied { states, basis, liouville: turn.liouville, matrix: turn.matrix, rates, multipliers })
+    }
+}
+
+/// States that connections leave free at a state, and the change of all states with each of them.
+///
+/// *Errors*: those of the connections.
+pub(in crate::studies) fn tangent_of<S: System + ?Sized>(
+    system: &mut S,
+    place: (&[f64], &[Mode]),
+    scales: &[f64],
+) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
+    tangent(system, place, scales, None, &Symmetry::default())
+}
+
+/// Parts of a step at which a rate is looked at for a change of its sign.
+const PARTS: usize = 12;
+/// Halvings of such a part: to the last bit of the time within it.
+const HALVINGS: usize = 54;
+
+impl Turned<'_> {
+    /// By how much the states miss their start, SI.
+    pub(in crate::studies) fn gap(&self) -> Vec<f64> {
+        self.0.gap()
+    }
+
+    /// Takes other scales.
+    pub(in crate::studies) fn rescale(&mut self, scales: &[f64]) {
+        self.0.scales = scales.to_vec();
+    }
+
+    /// Duration.
+    pub(in crate::studies) fn period(&self) -> f64 {
+        self.0.orbit.period
+    }
+
+    /// The guards that switch in the turn, by number: where the turn begins does not matter.
+    pub(in crate::studies) fn switches(&self) -> Vec<usize> {
+        let mut list: Vec<usize> = self.0.orbit.jumps.iter().flat_map(|jump| jump.switches.iter().map(|s| s.guard)).collect();
+        list.sort_unstable();
+        list
+    }
+
+    /// Whether the laws repeat after the turn.
+    ///
+    /// *Errors*: those of the equations.
+    pub(in crate::studies) fn laws_repeat<S: System + ?Sized>(&self, system: &mut S) -> Result<bool, Fault> {
+        symmetry::repeats(system, &self.0.orbit, self.0.orbit.period, &self.0.scales)
+    }
+
+    /// Least and greatest value of each of the first n states, whose rates are the next n.
+    pub(in crate::studies) fn extremes(&self, n: usize) -> Vec<[f64; 2]> {
+        (0..n).map(|i| extremes(&self.0.orbit, i, n + i)).collect()
+    }
+}
+
+/// Least and greatest value of a state along the turn, `rate` being its derivative.
+fn extremes(orbit: &Orbit, state: usize, rate: usize) -> [f64; 2] {
+    let mut ends = [orbit.last[state]; 2];
+    let mut see = |x: f64| ends = [ends[0].min(x), ends[1].max(x)];
+    for step in &orbit.steps {
+        see(step.value_after(state, 0.0));
+        let speed = |tau: f64| step.value_after(rate, tau);
+        for part in 0..PARTS {
+            let at = |k: usize| step.length * (part + k) as f64 / PARTS as f64;
+            let (mut low, mut high) = (at(0), at(1));
+            let rises = speed(low) < 0.0;
+            if (speed(high) < 0.0) == rises {
+                continue;
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if (speed(middle) < 0.0) == rises { low = middle } else { high = middle }
+            }
+            see(step.value_after(state, high));
+        }
+    }
+    ends
+}

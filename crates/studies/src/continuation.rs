@@ -1,0 +1,199 @@
+//! The study `continue`: regimes and places of rest along a parameter, over folds and onto the branches that part, with what happens on the way.
+
+mod asked;
+mod explained;
+mod family;
+mod show;
+mod tell;
+
+use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, turns_of_no_angle};
+use super::{Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
+use crate::Failure;
+use crate::equilibrium;
+use crate::machine::{self, Machine, explained as in_symbols};
+use crate::periodic::{self, no_parameter, value_of};
+use crate::results::Rows;
+use crate::results::finite::checked;
+use crate::watch::{Lap, Watch};
+use analysis::studies::continuation::{Diagram, Family, Options, regimes, rests};
+use analysis::studies::periodic::{Listener, Periodic, Return};
+use asked::{Branched, Followed};
+use family::Bound;
+use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Words};
+use words::explain::Explanation;
+use words::{Notice, Text};
+
+/// The study.
+pub struct Branches;
+
+static OF: Choice = Choice {
+    words: &[periodic::KIND.name, equilibrium::KIND.name],
+    metavar: "WHAT",
+    code: "M071",
+    unknown: ("`{}` cannot be followed", "`{}` проследить нельзя"),
+    help: ("periodic or equilibrium", "periodic или equilibrium"),
+};
+
+static KIND: Kind = Kind::new(
+    "continue",
+    (
+        "Follow periodic motions or equilibria along a parameter: folds, branches, their stability",
+        "Проследить периодические движения или равновесия вдоль параметра: повороты, ветвления, устойчивость ветвей",
+    ),
+)
+.keys(&[
+    Key::new("parameter", Takes::Varied, ("the parameter that changes", "параметр, который меняется"), "\"w\"")
+        .option("The parameter that changes", "Параметр, который меняется"),
+    Key::new("from", Takes::Quantity(Like::Of("parameter"), Limits::None), ("its least value", "его наименьшее значение"), "\"0.2 rad/s\"")
+        .option("Its least value", "Его наименьшее значение"),
+    Key::new("to", Takes::Quantity(Like::Of("parameter"), Limits::None), ("its greatest value", "его наибольшее значение"), "\"3 rad/s\"")
+        .option("Its greatest value", "Его наибольшее значение"),
+    Key::new(
+        "of",
+        Takes::Word(&OF),
+        (
+            "what is followed: periodic (motions) or equilibrium (places of rest)",
+            "что прослеживается: periodic (периодические движения) или equilibrium (положения равновесия)",
+        ),
+        "\"periodic\"",
+    )
+    .default(
+        "periodic with a `period` or `section` in the file, otherwise equilibrium",
+        "periodic, если в файле есть `period` или `section`, иначе equilibrium",
+    )
+    .option("What is followed", "Что прослеживается"),
+    SECTION,
+    TURNS,
+    PERIOD,
+    SETTLE,
+    Key::new("points", Takes::Count("M071", 2), ("most points of a branch", "наибольшее число точек ветви"), "500")
+        .default("2000", "2000")
+        .option("Most points of a branch", "Наибольшее число точек ветви"),
+    Key::new(
+        "branches",
+        Takes::Count("M071", 1),
+        (
+            "most branches; 1: those that part are named and not followed",
+            "наибольшее число ветвей; при 1 отходящие ветви называются, но не прослеживаются",
+        ),
+        "4",
+    )
+    .default("12", "12")
+    .option("Most branches", "Наибольшее число ветвей"),
+    TOLERANCE,
+])
+.check(objections);
+
+fn objections(asked: &Asked) -> Vec<Objection> {
+    let mut found = Vec::new();
+    if !(asked.has("parameter") && asked.has("from") && asked.has("to")) {
+        found.push(
+            Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе")
+                .why("branches are followed between two values of a parameter", "ветви прослеживаются между двумя значениями параметра")
+                .help(
+                    "write parameter = \"w\", from = \"0.2 rad/s\", to = \"3 rad/s\"",
+                    "напишите parameter = \"w\", from = \"0.2 rad/s\", to = \"3 rad/s\"",
+                ),
+        );
+    }
+    if let (Some(from), Some(to)) = (asked.number("from"), asked.number("to"))
+        && to <= from
+    {
+        found.push(
+            Objection::at("to", "M071", "`to` must be larger than `from`", "`to` должно быть больше `from`")
+                .why("the range would be empty or run backwards", "промежуток был бы пуст или шёл бы назад")
+                .help("write the smaller value into `from`", "меньшее значение запишите в `from`"),
+        );
+    }
+    found.extend(turns_of_no_angle(asked));
+    found
+}
+
+impl Study for Branches {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn wanted(&self) -> Words {
+        ("follow the regimes along a parameter", "проследить режимы вдоль параметра")
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        let study = Branched::of(machine, asked);
+        let heading = Text::new("Branches along a parameter", "Ветви вдоль параметра");
+        let mut results = Results { kind: KIND.name, heading, rows: Rows::Hidden, ..Results::default() };
+        results.data = machine::no_numbers(machine);
+        match diagram(machine, &study, watch) {
+            Ok(diagram) => tell::tell(machine, &study, &diagram, &mut results),
+            Err(trouble) => results.fail(trouble),
+        }
+        results.data.partial |= watch.is_interrupted();
+        watch.lap(Lap::Run);
+        Some(checked(results))
+    }
+    fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
+        let mut asked = given.written.clone().or(given.of_file.clone()).unwrap_or_else(|| Asked::new(KIND.name));
+        // a period that the command line writes is one more key of the study of the file
+        if let Some(file) = given.of_file.as_ref().filter(|_| given.written.is_some()) {
+            for (key, value) in file.values() {
+                let begins = ["period", "section", "turns"].contains(key);
+                if !begins && !asked.has(key) {
+                    asked.set(key, value.clone());
+                }
+            }
+        }
+        let asked = overlaid(&KIND, asked, given.line);
+        if given.line.has("turns") && asked.coordinate("section").is_none() {
+            let (en, ru) =
+                ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
+            return Err(idle("--turns", &Text::new(en, ru)));
+        }
+        match objections(&asked).into_iter().next() {
+            Some(Objection { code, what, why, help, .. }) => {
+                use crate::failure::Misuse;
+                Err(Notice::new(code, what.en, what.ru).why(why.en, why.ru).help(help.en, help.ru).misuse())
+            }
+            None => Ok(asked),
+        }
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Never
+    }
+    fn explanations(&self) -> &'static [Explanation] {
+        explained::EXPLANATIONS
+    }
+}
+
+/// Follows what is asked for.
+fn diagram(machine: &Machine, study: &Branched, watch: &mut Watch) -> Result<Diagram, Notice> {
+    let here = value_of(machine, &study.name).ok_or_else(|| no_parameter(machine, &study.name))?;
+    let start = if (study.from..=study.to).contains(&here) { here } else { study.from };
+    let mut family = Bound::new(machine, study);
+    let options =
+        Options { from: study.from, to: study.to, start, points: study.points, branches: study.branches, interrupt: watch.interrupt };
+    match &study.of {
+        Followed::Orbits(regime) => {
+            let asked = family.regime(regime, start)?;
+            let outcome = periodic::regime(&mut family.machine, &asked, watch);
+            if let Some(fault) = outcome.fault {
+                return Err(in_symbols(fault, &machine.equations));
+            }
+            // from here on with the numbers alone
+            let mut family = Bound::new(machine, study);
+            let by = match (asked.section, asked.period) {
+                (periodic::Section::Time, Some(period)) => Return::Period(period),
+                _ => Return::Automatic,
+            };
+            let tolerance = asked.tolerance.min(1e-13); // turns are differentiated: they are followed more closely than they are shown
+            let listener = Listener { interrupt: watch.interrupt, told: None };
+            let options_of = Periodic { by, tolerance, listener, ..Periodic::default() };
+            regimes(&mut family, &outcome.regime.start, &options_of, &options)
+        }
+        Followed::Rest => {
+            let place = family.at(start).and_then(|(system, _)| system.start()).map_err(|fault| in_symbols(fault, &machine.equations))?;
+            rests(&mut family, &place, &options)
+        }
+    }
+    .map_err(|fault| in_symbols(fault, &machine.equations))
+}

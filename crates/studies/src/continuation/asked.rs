@@ -1,0 +1,76 @@
+//! What is asked of branches.
+
+use crate::machine::Machine;
+use crate::periodic::{self, Periodic};
+use crate::{equilibrium, stability};
+use analysis::{Quantity, System};
+use mechanics::asked::Asked;
+
+/// Most points of a branch without a wish.
+const POINTS: usize = 2000;
+/// Most branches without a wish.
+const BRANCHES: usize = 12;
+
+/// What is followed; SI.
+#[derive(Clone, Debug)]
+pub(super) struct Branched {
+    /// The parameter.
+    pub(super) name: String,
+    /// Its least value.
+    pub(super) from: f64,
+    /// Its greatest value.
+    pub(super) to: f64,
+    /// Most points of a branch.
+    pub(super) points: usize,
+    /// Most branches.
+    pub(super) branches: usize,
+    /// What is followed.
+    pub(super) of: Followed,
+    /// Place of the study of the file that says what a period is: its formulas are read anew with other values.
+    pub(super) place: std::ops::Range<usize>,
+}
+
+/// What is followed.
+#[derive(Clone, Debug)]
+pub(super) enum Followed {
+    /// Motions.
+    Orbits(Box<Periodic>),
+    /// Places of rest.
+    Rest,
+}
+
+impl Branched {
+    /// Of the study itself; what a period is may stand in a study `periodic` or `stability` of the file instead.
+    pub(super) fn of(machine: &Machine, asked: &Asked) -> Branched {
+        let says = |asked: &&Asked| asked.has("period") || asked.has("section");
+        let listed = || machine.model.studies.iter().filter(says);
+        let other = listed().find(|a| a.kind == periodic::KIND.name).or_else(|| listed().find(|a| a.kind == stability::KIND.name));
+        let source = Some(asked).filter(says).or(other).filter(|_| asked.word("of") != Some(equilibrium::KIND.name));
+        let source = source.or((asked.word("of") == Some(periodic::KIND.name)).then_some(asked));
+        Branched {
+            name: asked.word("parameter").unwrap_or_default().to_owned(),
+            from: asked.number("from").unwrap_or(0.0),
+            to: asked.number("to").unwrap_or(0.0),
+            points: asked.count("points").unwrap_or(POINTS),
+            branches: asked.count("branches").unwrap_or(BRANCHES),
+            of: source.map_or(Followed::Rest, |source| Followed::Orbits(Box::new(Periodic::of(source)))),
+            place: source.map_or(0..0, |source| source.span.clone()),
+        }
+    }
+}
+
+/// Printed symbol of the parameter.
+pub(super) fn symbol(machine: &Machine, study: &Branched) -> String {
+    machine.model.notation.iter().find(|(n, _)| *n == study.name).map_or(study.name.clone(), |(_, s)| s.clone())
+}
+
+/// Its unit.
+pub(super) fn unit(machine: &Machine, study: &Branched) -> String {
+    machine.model.parameters.iter().find(|p| p.name == study.name).map_or("1".into(), |p| p.unit.clone())
+}
+
+/// Coordinates with their units and symbols.
+pub(super) fn coordinates(machine: &Machine) -> Vec<Quantity> {
+    let n = machine.system.n_coordinates();
+    machine.system.states()[..n].to_vec()
+}

@@ -1,0 +1,54 @@
+//! The codes of the study.
+
+use words::explain::{Explanation, plain};
+
+pub(super) const EXPLANATIONS: &[Explanation] = &[
+    plain(
+        "S150",
+        ("no period to follow", "нет периода, который можно проследить"),
+        (
+            "The study `continue` follows motions that repeat after whole periods of their loads. When the frequency of a load is the parameter, the period changes with it: give it as a \
+             formula of the parameter, period = \"2*pi/w\", in the study itself or in a study `periodic` of the file. At each point the laws of the machine are held against that period.",
+            "Расчёт `continue` прослеживает движения, которые повторяются через целое число периодов нагрузок. Если параметр — частота нагрузки, период меняется вместе с ней: задайте его \
+             формулой от параметра, period = \"2*pi/w\", в самом расчёте или в расчёте `periodic` того же файла. В каждой точке проверяется, что законы машины действительно повторяются через этот период.",
+        ),
+    ),
+    plain(
+        "S151",
+        ("a motion that runs on", "движение, которое не возвращается"),
+        (
+            "A free motion whose coordinates run on (a wheel that rolls, a rotor that turns at a speed of its own) repeats only in a frame that moves along. `periodic` finds it; `continue` \
+             follows motions that come back, whole turns of angles apart.",
+            "Свободное движение, координаты которого растут (катящееся колесо, ротор, вращающийся с собственной скоростью), повторяется лишь в подвижной системе отсчёта. `periodic` его находит; \
+             `continue` прослеживает движения, которые возвращаются с точностью до целых оборотов углов.",
+        ),
+    ),
+    plain(
+        "S152",
+        ("no direction at the start", "нет направления в начальной точке"),
+        (
+            "Where a branch begins its direction follows from the derivatives by the start and the parameter. In a machine without damping free oscillations form families at each value of the parameter, and nothing \
+             singles one out; at a fold or a branch point the direction is not that of the parameter. Begin at another value, or give the machine damping.",
+            "Направление ветви в начальной точке следует из производных по началу и параметру. В машине без сопротивления свободные колебания образуют семейство при каждом значении параметра, и ни одно \
+             не выделено; в точке поворота или ветвления направление иное. Начните с другого значения или введите сопротивление.",
+        ),
+    ),
+    plain(
+        "S153",
+        ("no place of rest to begin with", "не с чего начать: равновесие не найдено"),
+        (
+            "The study `continue` looks for the first place of rest from the start that the file gives to the coordinates, with the parameter at the value of the file where that lies in the range, otherwise at \
+             its least value. Give a start near a place that `strutt equilibrium` names.",
+            "Расчёт `continue` ищет первое положение равновесия от начальных значений координат из файла при значении параметра из файла, если оно лежит в промежутке, иначе при \
+             наименьшем. Задайте начальные значения вблизи положения, которое называет `strutt equilibrium`.",
+        ),
+    ),
+    plain(
+        "S154",
+        ("a driven machine does not rest", "машина с переменными нагрузками не бывает в равновесии"),
+        (
+            "Time occurs in the equations, so that nothing rests for long. The study `continue` follows periodic motions where it is told their period: period = \"2*pi/w\".",
+            "Время входит в уравнения, поэтому положений равновесия нет. Расчёт `continue` прослеживает периодические движения, если указан их период: period = \"2*pi/w\".",
+        ),
+    ),
+];

@@ -1,0 +1,259 @@
+//! Branches as rows, fields of JSON and sentences.
+
+use super::asked::{Branched, coordinates, symbol, unit};
+use super::show::Shown;
+use crate::equilibrium;
+use crate::machine::{Machine, explained};
+use crate::periodic::{self, json_of};
+use crate::provenance;
+use crate::results::{Body, Fact, Results};
+use analysis::dataset::{Audit, Column};
+use analysis::studies::continuation::{Curve, Diagram, End, Facts, Of, Place, Special, What};
+use analysis::{Dataset, Quantity, System};
+use serde_json::{Map, Value, json};
+use std::sync::Arc;
+use words::{Language, Text};
+
+/// Puts a diagram into results.
+pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, results: &mut Results) {
+    results.data = provenance::stamp(dataset(machine, study, diagram), &machine.equations, &machine.model_hash);
+    results.own.insert("parameter".into(), json!({"name": study.name, "unit": unit(machine, study), "from": study.from, "to": study.to}));
+    results.own.insert("branches".into(), diagram.curves.iter().enumerate().flat_map(|(k, curve)| pieces(machine, k, curve)).collect());
+    results
+        .own
+        .insert("special".into(), diagram.special.iter().map(|(branch, _, special)| special_to_json(machine, *branch, special)).collect());
+    results.own.insert("curves".into(), diagram.curves.iter().map(|curve| curve_to_json(machine, curve)).collect());
+    results.own.insert("work".into(), json!({"turns": diagram.work.turns, "variations": diagram.work.variations}));
+    for (k, (_, _, special)) in diagram.special.iter().enumerate() {
+        let label = Text::new(format!("point {}: {}", k + 1, name(special.what).en), format!("точка {}: {}", k + 1, name(special.what).ru));
+        let fact =
+            Fact::new(&format!("special_{}", k + 1), &symbol(machine, study), &unit(machine, study), special.place.parameter(), label);
+        results.facts.push(fact.with_words(extent(machine, special)));
+    }
+    for (k, curve) in diagram.curves.iter().enumerate() {
+        results.words.push(about(machine, study, (k, diagram.curves.len()), curve));
+    }
+    if diagram.special.is_empty() {
+        results.words.push(Text::new("Nothing happens on it: no fold, no branch point.", "Особых точек нет: ни поворотов, ни ветвлений."));
+    }
+    if diagram.left_out > 0 {
+        results.words.push(Text::new(
+            format!("Branches that part at {} more points are not followed; take more `branches`.", diagram.left_out),
+            format!("Ветви, отходящие ещё в {} точках, не прослежены; увеличьте `branches`.", diagram.left_out),
+        ));
+    }
+    if diagram.deeper > 0 {
+        results.words.push(Text::new(
+            format!("Motions of more than four periods are not followed; period doublings that lead to them: {}.", diagram.deeper),
+            format!("Движения более чем с четырьмя периодами не прослеживаются; ведущих к ним удвоений периода: {}.", diagram.deeper),
+        ));
+    }
+    if diagram.unmet > 0 {
+        results.words.push(Text::new(
+            format!("In {} directions in which a branch parts no point of it was found.", diagram.unmet),
+            format!("Направлений, в которых ветвь отходит, но её точка не найдена: {}.", diagram.unmet),
+        ));
+    }
+    if diagram.families > 0 {
+        results.words.push(Text::new(
+            "Without damping the motions that part where oscillations set in form families at each value of the parameter; they are not followed.",
+            "Без сопротивления движения, отходящие в точке возникновения колебаний, образуют семейства при каждом значении параметра и не прослеживаются.",
+        ));
+    }
+    results.words.push(Text::new(
+        "What hangs together with the first motion is followed; closed branches apart from it are not looked for.",
+        "Прослежено то, что связано с исходным движением; отдельно лежащие замкнутые ветви не разыскиваются.",
+    ));
+    results.body = Body::After(Arc::new(Shown::new(machine, study, diagram)));
+}
+
+/// Greatest values of the coordinates at a point.
+fn extent(machine: &Machine, special: &Special) -> Text {
+    let list = |language: Language| {
+        let one = |(q, ends): (&Quantity, &[f64; 2])| {
+            let number = report::number::short(ends[1], 6, Language::En);
+            let number = if language == Language::Ru { number.replace('.', ",") } else { number };
+            format!("{} {number} {}", q.name, report::unit::print(&q.unit, language)).trim_end().to_owned()
+        };
+        let quantities = coordinates(machine);
+        quantities.iter().zip(&special.place.facts().extremes).map(one).collect::<Vec<_>>().join("; ")
+    };
+    Text::new(format!("greatest {}", list(Language::En)), format!("наибольшее {}", list(Language::Ru)))
+}
+
+/// What happens, in words.
+pub(super) fn name(what: What) -> Text {
+    match what {
+        What::Fold => Text::new("fold: the branch turns", "поворот ветви (складка)"),
+        What::Branch => Text::new("branch point: another branch crosses", "точка ветвления: пересечение с другой ветвью"),
+        What::Hopf => Text::new("Hopf point: oscillations set in", "бифуркация Хопфа: возникают колебания"),
+        What::Doubling => Text::new("period doubling", "удвоение периода"),
+        What::Torus => Text::new("torus: beats set in", "рождение тора: возникают биения"),
+        What::Grazing => Text::new("grazing: a switch is only touched", "касание: переключение едва достигается"),
+    }
+}
+
+fn dataset(machine: &Machine, study: &Branched, diagram: &Diagram) -> Dataset {
+    let places: Vec<(usize, &Place)> = diagram.curves.iter().enumerate().flat_map(|(k, c)| c.places.iter().map(move |p| (k, p))).collect();
+    let column = |name: &str, (symbol, unit): (&str, &str), label: Text, value: &dyn Fn(&(usize, &Place)) -> f64| Column {
+        quantity: Quantity { symbol: symbol.into(), label, ..Quantity::new(name, unit) },
+        values: places.iter().map(value).collect(),
+    };
+    let label = machine.model.parameters.iter().find(|p| p.name == study.name).map(|p| p.label.clone()).unwrap_or_default();
+    let mut columns = vec![
+        column("branch", ("branch", "1"), Text::new("number of the branch", "номер ветви"), &|(k, _)| (k + 1) as f64),
+        column(&study.name, (&symbol(machine, study), &unit(machine, study)), label, &|(_, p)| p.parameter()),
+        column(
+            "stable",
+            ("stable", "1"),
+            Text::new("1 stable, −1 unstable, 0 not decided", "1 — устойчиво, −1 — неустойчиво, 0 — не решено"),
+            &|(_, p)| p.facts().stable.map_or(0.0, |s| if s { 1.0 } else { -1.0 }),
+        ),
+    ];
+    if diagram.curves.iter().any(|c| c.of != Of::Rest) {
+        columns.push(column("period", ("T", "s"), Text::new("period", "период"), &|(_, p)| p.facts().period));
+    }
+    for (i, q) in coordinates(machine).iter().enumerate() {
+        for (end, word, en, ru) in [(1, "max", "greatest value", "наибольшее значение"), (0, "min", "least value", "наименьшее значение")]
+        {
+            let names = (format!("{word}({})", q.name), format!("{}_{word}", q.symbol));
+            let value = |(_, p): &(usize, &Place)| p.facts().extremes[i][end];
+            columns.push(column(&names.0, (&names.1, &q.unit), Text::new(en, ru), &value));
+        }
+    }
+    Dataset { columns, audits: audits(diagram), ..Dataset::default() }
+}
+
+/// Points lie on their branch to this share of what varies: corrections end below 1e-9, mostly by three digits.
+const ON_BRANCH: f64 = 1e-9;
+/// Determinant and divergence are integrated apart from one another to nine digits.
+const LIOUVILLE: f64 = 1e-8;
+
+fn audits(diagram: &Diagram) -> Vec<Audit> {
+    let facts = || diagram.curves.iter().flat_map(|curve| &curve.places).map(Place::facts);
+    let most = |of: fn(&Facts) -> f64| facts().map(of).fold(0.0, f64::max);
+    let name = Text::new("points lie on their branch: largest relative miss", "точки лежат на ветви: наибольшее относительное отклонение");
+    let mut list = vec![Audit::at_most("on_branch", name, most(|f| f.miss), ON_BRANCH)];
+    if diagram.curves.iter().any(|curve| curve.of != Of::Rest) {
+        let name = Text::new(
+            "Liouville's formula: determinant of the variations against the divergence",
+            "формула Лиувилля: определитель решений в вариациях против дивергенции",
+        );
+        list.push(Audit::at_most("liouville", name, most(|f| f.liouville), LIOUVILLE));
+    }
+    list
+}
+
+/// Parts of a branch that are stable or unstable throughout.
+fn pieces(machine: &Machine, which: usize, curve: &Curve) -> Vec<Value> {
+    let kind = if curve.of == Of::Rest { equilibrium::KIND.name } else { periodic::KIND.name };
+    let parts = curve.places.chunk_by(|a, b| a.facts().stable == b.facts().stable);
+    parts
+        .map(|part| {
+            let points: Vec<Value> = part.iter().map(|place| point(machine, place)).collect();
+            json!({"curve": which, "kind": kind, "stable": part[0].facts().stable, "points": points})
+        })
+        .collect()
+}
+
+fn point(machine: &Machine, place: &Place) -> Value {
+    let facts = place.facts();
+    let mut fields = Map::new();
+    fields.insert("parameter".into(), json!(place.parameter()));
+    if facts.period > 0.0 {
+        fields.insert("period".into(), json!(facts.period));
+    }
+    let extremes = coordinates(machine).iter().zip(&facts.extremes).map(|(q, e)| (q.name.clone(), json!(e))).collect::<Map<_, _>>();
+    fields.insert("range".into(), extremes.into());
+    let start = machine.system.states().iter().zip(place.unknowns()).map(|(q, x)| (q.name.clone(), json!(x))).collect::<Map<_, _>>();
+    fields.insert("start".into(), start.into());
+    fields.insert("stable".into(), json!(facts.stable));
+    let numbers: Vec<Value> = facts.multipliers.iter().flatten().map(json_of).collect();
+    fields.insert(if facts.period > 0.0 { "multipliers" } else { "roots" }.into(), json!(numbers));
+    Value::Object(fields)
+}
+
+fn special_to_json(machine: &Machine, branch: usize, special: &Special) -> Value {
+    let mut value = point(machine, &special.place);
+    if let Some(fields) = value.as_object_mut() {
+        fields.insert("kind".into(), json!(special.what.key()));
+        fields.insert("curve".into(), json!(branch));
+        fields.insert("within".into(), json!(special.within));
+    }
+    value
+}
+
+fn curve_to_json(machine: &Machine, curve: &Curve) -> Value {
+    let ends: Vec<Value> =
+        curve.ends.iter().map(|end| end.as_ref().map_or(Value::Null, |end| json!(end_in_words(machine, end).en))).collect();
+    let periods = if let Of::Orbits(k) = curve.of { json!(k) } else { Value::Null };
+    let place = |place: Option<&Place>| place.map_or(Value::Null, |place| point(machine, place));
+    let (first, last) = (place(curve.places.first()), place(curve.places.last()));
+    json!({
+        "points": curve.places.len(),
+        "ends": ends,
+        "parts_from": curve.parent,
+        "periods_of_loads": periods,
+        "first": first,
+        "last": last,
+    })
+}
+
+/// Why a branch ends.
+fn end_in_words(machine: &Machine, end: &End) -> Text {
+    let text = Text::new;
+    match end {
+        End::Left => text("the range ends", "конец промежутка"),
+        End::Closed => text("it closes", "ветвь замыкается"),
+        End::Joins => text("it joins another branch", "ветвь приходит на другую ветвь"),
+        End::Points => text("the number of points is used up (`points`)", "исчерпано число точек (`points`)"),
+        End::Interrupted => text("interrupted", "прервано"),
+        End::Grazes => text(
+            "a switch is only touched there (grazing), and what lies beyond does not follow from it",
+            "переключение там лишь едва достигается (касание), и продолжение из него не следует",
+        ),
+        End::Stuck(step, fault) => {
+            let en = report::number::short(*step, 2, Language::En);
+            let ru = en.replace('.', ",");
+            let said = match fault {
+                Some(fault) => {
+                    let notice = explained(fault.clone(), &machine.equations);
+                    Text::new(format!("{} [{}]", notice.what.en, notice.code), format!("{} [{}]", notice.what.ru, notice.code))
+                }
+                None => text(
+                    "the corrections do not settle: the branch ends in a corner, or the motion has no derivative by its start there",
+                    "поправки не сходятся: ветвь кончается изломом или движение не имеет там производной по началу",
+                ),
+            };
+            Text::new(
+                format!("no step of {en} of the range leads on: {}", said.en),
+                format!("дальше не ведёт и шаг в {ru} промежутка: {}", said.ru),
+            )
+        }
+    }
+}
+
+/// A branch in a sentence.
+fn about(machine: &Machine, study: &Branched, (which, of): (usize, usize), curve: &Curve) -> Text {
+    let short = |x: f64| report::number::short(x, 6, Language::En);
+    let values = || curve.places.iter().map(Place::parameter);
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    let (low, high, points) = (short(low), short(high), curve.places.len());
+    let unit = unit(machine, study);
+    let ends: Vec<Text> = curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
+    let list = |pick: fn(&Text) -> &str| ends.iter().map(pick).collect::<Vec<_>>().join("; ");
+    let (en_ends, ru_ends) = (list(|t| &t.en), list(|t| &t.ru));
+    let (printed_en, printed_ru) = (report::unit::print(&unit, Language::En), report::unit::print(&unit, Language::Ru));
+    let symbol = symbol(machine, study);
+    let which = which + 1;
+    let (en, ru) =
+        if of > 1 { (format!("Branch {which}"), format!("Ветвь {which}")) } else { ("The branch".into(), "Ветвь".into()) };
+    Text::new(
+        format!("{en}: {symbol} from {low} to {high} {printed_en}, {points} points. Where it ends: {en_ends}."),
+        format!(
+            "{ru}: {symbol} от {} до {} {printed_ru}, точек: {points}. Где кончается: {ru_ends}.",
+            low.replace('.', ","),
+            high.replace('.', ",")
+        ),
+    )
+}
