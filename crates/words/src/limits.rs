@@ -6,6 +6,7 @@ use std::ops::RangeInclusive;
 #[macro_export]
 macro_rules! finest_tolerance {
     () => {
+        // said at the head of the macro: some roundings of what is compared
         1e-15
     };
 }
@@ -14,6 +15,7 @@ macro_rules! finest_tolerance {
 #[macro_export]
 macro_rules! coarsest_tolerance {
     () => {
+        // said at the head of the macro: an order with terms left to see an event with
         1e-3
     };
 }

@@ -16,6 +16,9 @@ use crate::integrate::Step;
 const SMALL: f64 = 1e-4;
 /// Share of its own terms, a hundredth of the least limit, up to which a residual is in order whatever else may be a size.
 const CLEAR: f64 = 1e-11;
+/// Share by which states are moved to see what their rounding does, and roundings of a state by which a balance may miss.
+const NUDGE: f64 = 1.0 / (1u64 << 40) as f64;
+const ROUNDINGS: f64 = 8.0;
 /// Samples before every second one is dropped.
 const SAMPLES: u64 = 16;
 
@@ -74,9 +77,11 @@ impl BodyBalance {
         let clear = rows.iter().zip(&self.largest).all(|(row, largest)| row[0].abs() <= CLEAR * own((row, largest)));
         // what closes against its own terms needs no further size
         let inertia = if clear { Vec::new() } else { self.inertia(t, step, system) };
+        let rounding = if clear { Vec::new() } else { self.rounding(t, step, (&rows, system)) };
         for (i, (row, largest)) in rows.iter().zip(&self.largest).enumerate() {
             let least = inertia.get(i).map_or(0.0, |row| SMALL * row[1]);
-            self.found.note(row[0].abs(), own((row, largest)).max(least));
+            let off = (row[0].abs() - rounding.get(i).unwrap_or(&0.0)).max(0.0);
+            self.found.note(off, own((row, largest)).max(least));
         }
         // a body at the far end of a chain carries what rounding leaves of the forces before it
         self.found.whole(self.strongest);
@@ -84,6 +89,20 @@ impl BodyBalance {
         if self.taken.is_multiple_of(SAMPLES) {
             self.stride *= 2;
         }
+    }
+
+    /// What rounding of the state leaves in each balance. A spring that carries the weight may stand in it with the deviation from rest alone, which is a difference
+    /// of lengths and has no digits where the machine rests.
+    fn rounding<S: System + ?Sized>(&mut self, t: f64, step: &Step, (rows, system): (&[[f64; 2]], &mut S)) -> Vec<f64> {
+        let (n, kept) = (system.n_coordinates(), self.x.clone());
+        // neighbours the other way: differences of states have the rounding of both
+        for (i, x) in self.x.iter_mut().enumerate() {
+            *x *= if i.is_multiple_of(2) { 1.0 + NUDGE } else { 1.0 - NUDGE };
+        }
+        step.rate_at(t, &mut self.rates);
+        let nudged = system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes).unwrap_or_default();
+        self.x = kept;
+        rows.iter().zip(&nudged).map(|(a, b)| ROUNDINGS * (f64::EPSILON / NUDGE) * (a[0] - b[0]).abs()).collect()
     }
 
     /// The balances with the accelerations that change the rates by themselves within the step.

@@ -8,6 +8,8 @@ use algebra::sum::Instant;
 const IN_IT: f64 = 1e-3;
 /// Share of the way to a change point, on both its sides, on which forces have fewer digits than audits ask for.
 const BESIDE: f64 = 0.7;
+/// Share of the largest component (or of the largest change) of a unit below which a smaller one of that unit is not resolved relatively.
+pub(in crate::integrate) const UNIT_SHARE: f64 = 1e-8;
 
 /// Taylor polynomials of a step, x_i(start + tau) = sum_k c_ik tau^k for 0 <= tau <= length.
 #[derive(Clone, Debug, Default)]

@@ -49,6 +49,9 @@ pub struct Happened {
 
 /// Values below this share of the largest so far are zero.
 const ZERO: f64 = 16.0 * f64::EPSILON;
+/// Share of its largest value below which a coefficient does not say whereto a quantity leaves its zero at the start: the polynomial of a quantity that leaves
+/// with a horizontal tangent has a slope of rounding.
+const LEAVES: f64 = 1e-9;
 
 /// Follows the events along a motion.
 #[derive(Clone, Debug)]
@@ -83,7 +86,7 @@ impl Watcher {
         for i in 0..self.events.len() {
             let output = self.events[i].output;
             for piece in pieces.iter().filter(|p| p.of == output) {
-                self.piece(i, piece, along, &mut found);
+                self.piece((i, output), piece, along, &mut found);
             }
         }
         self.started = true;
@@ -95,13 +98,16 @@ impl Watcher {
         found
     }
 
-    fn piece<L: Line>(&mut self, i: usize, piece: &Piece, along: &mut L, found: &mut Vec<Happened>) {
+    fn piece<L: Line>(&mut self, (i, output): (usize, usize), piece: &Piece, along: &mut L, found: &mut Vec<Happened>) {
         let (mut sign, largest) = self.states[i];
         let largest = piece.row.iter().fold(largest, |m: f64, b| m.max(b.abs()));
         let noise = ZERO * largest;
-        if sign == 0.0 && !self.started && piece.from == 0.0 && piece.row[0].abs() <= noise {
-            // it leaves zero at the start: as if it came from the other side
-            sign = -leaving(&piece.row, noise);
+        if sign == 0.0 && !self.started && piece.from == 0.0 && along.output(0.0, output).abs() <= noise {
+            // it leaves zero at the start, as if it came from the other side
+            sign = leaving(&piece.row, LEAVES * largest);
+            if sign != 0.0 && self.counts(i, sign) {
+                found.push(Happened { event: i, tau: 0.0, sign });
+            }
         }
         let width = piece.to - piece.from;
         for bracket in crossings::crossings(&piece.row, noise, &mut sign) {

@@ -18,14 +18,13 @@ use words::Text;
 use super::admissible::Hold;
 use super::numbers::Numbers;
 use super::places::Place;
+use super::sizes::NOISE;
 use super::system::Parts;
 use crate::dataset::{Column, Dataset, Missing};
 use crate::{Fault, Quantity};
 
 /// Remainder of the balances, relative, above which nothing of them is believed.
 const BALANCED: f64 = 1e-9;
-/// A force below this share of the largest of its unit, or of those that stand beside it, is rounding: some ten units in the last place.
-pub const NOISE: f64 = 1e-14;
 
 /// Completes the reactions of a place (one for each of the equations; none: open) by those that the balances determine.
 pub fn complete(equations: &Equations, (parameters, q): (&[f64], &[f64]), reactions: &mut [Option<f64>]) {

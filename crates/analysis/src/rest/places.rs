@@ -15,8 +15,8 @@ use symbolic::Equations;
 use words::Text;
 
 use super::newton::{self, SOLVED, balance, worst};
-use super::observed::NOISE;
 use super::search::{Equilibrium, Range};
+use super::sizes::NOISE;
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, gap_size};
 use crate::Fault;

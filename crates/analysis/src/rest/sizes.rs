@@ -19,6 +19,8 @@ const NONE: f64 = 1e-13;
 
 /// Least size that counts for the rounding of a row, SI.
 const LEAST: f64 = 1e-3;
+/// A force below this share of the largest of its unit, or of those that stand beside it, is rounding: some ten units in the last place.
+pub const NOISE: f64 = 1e-14;
 
 impl Sizes {
     /// Of coordinates with these units.

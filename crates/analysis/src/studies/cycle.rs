@@ -97,13 +97,14 @@ pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opt
     }
     sum.finish(machine, &steps, options)?;
     let Sum { work, inertia, angle, .. } = sum;
+    let parts = std::mem::take(&mut sum.parts);
     // where moments cancel all the way, what is left of them is their rounding
     let size = sum.size.max(SHARE * sum.terms * options.range.abs());
     let mut dataset = sum.dataset(&*machine.own, options);
     dataset.notes.extend(rubs.then(pressed));
     let range = dataset.extreme("A").map_or([0.0; 2], |e| [e.min.min(0.0), e.max.max(0.0)]);
     dataset.audits.push(periodic_inertia(machine, &steps, options)?);
-    dataset.audits.push(same_work(machine, &steps, work, size, options)?);
+    dataset.audits.push(same_work(machine, (&steps, &parts), (work, size), options)?);
     Ok(Balance { work, size, inertia: inertia / angle, excess: range[1] - range[0], dataset })
 }
 
@@ -235,26 +236,30 @@ fn periodic_inertia<S: System + ?Sized>(machine: &mut Pair<'_, S>, steps: &[(Ste
 /// provided that the loads do not feel the rate; the check is made where the motion is the uniform one.
 fn same_work<S: System + ?Sized>(
     machine: &mut Pair<'_, S>,
-    steps: &[(Step, f64)],
-    work: f64,
-    size: f64,
+    (steps, parts): (&[(Step, f64)], &[Vec<f64>]),
+    (work, size): (f64, f64),
     options: &Cycle,
 ) -> Result<Audit, Fault> {
     let (n, n_x) = (machine.own.n_coordinates(), machine.own.states().len());
     let (mut x, mut slope) = (vec![0.0; n_x], vec![0.0; n_x]);
     let (mut again, mut uneven) = (0.0, 0.0_f64);
     let mut kinetic: [Option<f64>; 2] = [None, None];
-    for (step, length) in steps {
-        let part = length / CHECK as f64;
-        for k in 0..CHECK {
+    for ((step, length), ends) in steps.iter().zip(parts) {
+        let whole: Vec<f64> = (1..=CHECK).map(|k| length * k as f64 / CHECK as f64).collect();
+        // a pulse stands in a part of its own
+        let ends = if ends.len() > 1 { ends } else { &whole };
+        let mut from = 0.0;
+        for &to in ends {
+            let part = to - from;
             for (node, weight) in EIGHT {
-                let t = step.instant(part * (k as f64 + 0.5 * (1.0 + node))).high;
+                let t = step.instant(from + part * 0.5 * (1.0 + node)).high;
                 step.state_at(t, &mut x);
                 step.rate_at(t, &mut slope);
                 uneven = uneven.max((x[n + options.angle] / options.rate - 1.0).abs());
                 let p = machine.power(t, &x, &slope[n..2 * n], &step.modes)?;
                 again += 0.5 * part * weight * (p.loads - p.dissipated - p.rate);
             }
+            from = to;
         }
         for (end, t) in [(0, step.start.high), (1, step.instant(*length).high)] {
             step.state_at(t, &mut x);
@@ -385,6 +390,8 @@ struct Sum {
     values: Vec<[f64; 4]>,
     extremes: [Extreme; 4],
     proxies: Proxies,
+    /// Ends of the parts of each step over which the power is a polynomial.
+    parts: Vec<Vec<f64>>,
     work: f64,
     size: f64,
     /// Largest sum of the moments that meet.
@@ -403,6 +410,7 @@ impl Sum {
             values: Vec::new(),
             extremes: std::array::from_fn(none),
             proxies: Proxies::default(),
+            parts: Vec::new(),
             work: 0.0,
             size: 0.0,
             terms: 0.0,
@@ -442,6 +450,7 @@ impl Sum {
         for piece in pieces.iter().filter(|p| p.of < COLUMNS) {
             self.column(piece, &place);
         }
+        self.parts.push(pieces.iter().filter(|p| p.of == POWER).map(|p| p.to).collect());
         let (mut now, before) = (0.0, self.work);
         for piece in pieces.iter().filter(|p| p.of == POWER) {
             self.rows((machine, step), (piece, before + now), &place, options)?;

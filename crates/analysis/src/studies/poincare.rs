@@ -62,7 +62,15 @@ fn stroboscope<S: System + ?Sized>(system: &mut S, start: &[f64], period: f64, o
     let count = options.points.map_or(most, |n| most.min(n as f64));
     let times: Vec<f64> = (0..count as usize).map(|k| (first + k as f64) * period).collect();
     let end = times.last().copied().unwrap_or(0.0);
-    let mut outcome = run(system, start, (end, Grid::At(times)), options);
+    let mut outcome = run(system, start, (end, Grid::At(times.clone())), options);
+    // a motion that ends before has its end for the last row
+    let data = &mut outcome.dataset;
+    let kept: Vec<bool> =
+        data.columns.get(data.axis.unwrap_or(0)).map_or(Vec::new(), |t| t.values.iter().map(|t| times.contains(t)).collect());
+    for column in &mut data.columns {
+        let mut keep = kept.iter();
+        column.values.retain(|_| keep.next().is_none_or(|k| *k));
+    }
     points_alone(&mut outcome.dataset);
     outcome
 }

@@ -61,7 +61,34 @@ mod pixels {
         Arc::new(fonts)
     });
 
+    /// The renderer takes clusters of one glyph only where a text changes its face: a mark above a letter would cost the letters behind it, or the program. Dots
+    /// become the primes of the model file, Cyrillic letters their own, and other marks go.
+    fn without_marks(svg: &str) -> String {
+        let mut out = String::with_capacity(svg.len());
+        for c in svg.chars() {
+            let composed = match (out.chars().next_back(), c) {
+                (Some('и'), '\u{306}') => Some('й'),
+                (Some('И'), '\u{306}') => Some('Й'),
+                (Some('е'), '\u{308}') => Some('ё'),
+                (Some('Е'), '\u{308}') => Some('Ё'),
+                _ => None,
+            };
+            match (composed, c) {
+                (Some(letter), _) => {
+                    out.pop();
+                    out.push(letter);
+                }
+                (None, '\u{307}') => out.push('′'),
+                (None, '\u{308}') => out.push('″'),
+                (None, '\u{300}'..='\u{36f}') => {}
+                (None, c) => out.push(c),
+            }
+        }
+        out
+    }
+
     pub fn of_svg(svg: &str) -> Result<Vec<u8>, Error> {
+        let svg = &without_marks(svg);
         let options = usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
         let tree = usvg::Tree::from_str(svg, &options).map_err(|e| Error::Svg(e.to_string()))?;
         let size = tree.size();
@@ -69,5 +96,24 @@ mod pixels {
         let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or(Error::Size(width, height))?;
         resvg::render(&tree, tiny_skia::Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
         pixels.encode_png().map_err(|e| Error::Pack(e.to_string()))
+    }
+}
+
+#[cfg(all(test, feature = "png"))]
+mod tests {
+    use super::of_svg;
+
+    /// A phase portrait is called "x against ẋ": faces change, and the text ends with a dot above a letter.
+    #[test]
+    fn a_text_may_end_with_a_dotted_letter() {
+        let text = |words: &str| {
+            format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\" height=\"40\"><text x=\"5\" y=\"25\">{words}</text></svg>")
+        };
+        let italic = |letter: &str| format!("<tspan font-style=\"italic\">{letter}</tspan>");
+        let dotted = of_svg(&text(&format!("{} against {}", italic("x"), italic("x\u{307}")))).expect("a picture");
+        let plain = of_svg(&text(&format!("{} against {}", italic("x"), italic("x")))).expect("a picture");
+        assert_ne!(dotted, plain, "the rate is told from its coordinate");
+        let behind = |unit: &str| of_svg(&text(&format!("{}{unit}", italic("x\u{307}")))).expect("a picture");
+        assert_ne!(behind(", m/s"), behind("/s"), "what stands behind the letter is drawn");
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! With L(ω) = Σ T_k(ω) for left - right, every natural frequency ω_j of the machine gives a row Σ α_k T_k(ω_j) = 0. Values of the parameters are drawn, so that
 //! terms with the same power of ω are told apart; the factors α_k name the term that is wrong. An equation with too many or too few roots is found by
-//! L(ω) / Π (ω² - ω_j²), which is then no power of ω.
+//! Π (ω² - ω_j²) / L(ω), which is then no polynomial in ω, or vanishes at a root; where L has quotients it is the product of their denominators.
 
 use super::laid::apart;
 use super::terms::of_term;
@@ -11,6 +11,7 @@ use crate::machine::Machine;
 use crate::small::asked::Modes;
 use crate::watch::Watch;
 use algebra::elementary;
+use algebra::qr::Qr;
 use algebra::random::Random;
 use analysis::studies::claims::{Fit, Sum, fit};
 use mechanics::asked::Asked;
@@ -24,10 +25,14 @@ const SPREAD: [f64; 2] = [0.8, 1.25];
 const SEED: u64 = 73;
 /// A frequency below this share of the largest is zero.
 const RIGID: f64 = 1e-6;
-/// The ratio of a right equation to the product of its roots, at several frequencies: rounding of the roots.
+/// The product of the roots divided by a right equation, at several frequencies, beside a polynomial: rounding of the roots.
 const SAME: f64 = 1e-6;
-/// Frequencies between and beyond the roots, as shares of the mean root, at which both are compared.
-const BESIDE: [f64; 5] = [0.37, 0.83, 1.31, 1.93, 2.71];
+/// Number of frequencies at which both are compared.
+const PLACES: usize = 96;
+/// Shares of the mean root between which they lie: another root that is meant is no further off than a factor of a hundred.
+const WIDEST: [f64; 2] = [1e-2, 1e2];
+/// Highest power of ω by which an equation may have been multiplied.
+const LOWER: i32 = 4;
 
 /// The equation as a sum, and what its letters mean.
 struct Published {
@@ -127,21 +132,31 @@ fn evaluated(machine: &Machine, published: &Published, (frequency, mut known): (
     value(&published.terms, &known)
 }
 
-/// Whether L has the natural frequencies for roots and no others: L / Π (ω² - ω_j²) is a constant times a power of ω.
+/// Whether L has the natural frequencies for roots and no others: Π (ω² - ω_j²) / L is then a polynomial in ω, of quotients in L their denominators, but for a power
+/// of ω. Another root would be a pole of it, a missing one leaves a factor that the polynomial has anyway and that vanishes at the root.
 fn has_these_roots(machine: &Machine, published: &Published, own: &[f64]) -> bool {
     let mean = own.iter().sum::<f64>() / own.len() as f64;
     let mean = if mean > 0.0 { mean } else { 1.0 };
-    let ratio = |w: f64| {
-        let sum: f64 = terms_at(machine, published, w).iter().sum();
-        let roots: f64 = own.iter().map(|r| (w * w - r * r) / (mean * mean)).product();
-        sum / roots
+    let quotient = |u: f64| {
+        let sum: f64 = terms_at(machine, published, u * mean).iter().sum();
+        let roots: f64 = own.iter().map(|r| u * u - (r / mean) * (r / mean)).product();
+        roots / sum
     };
-    let found: Vec<[f64; 2]> = BESIDE.iter().map(|s| [*s, ratio(s * mean)]).collect();
-    let [first, second] = [found[0], found[1]];
-    let power = elementary::ln((second[1] / first[1]).abs()) / elementary::ln(second[0] / first[0]);
-    let even = 2.0 * (power / 2.0).round();
-    let holds = |f: &[f64; 2]| (f[1] / first[1] - elementary::pow(f[0] / first[0], even)).abs() <= SAME * (f[1] / first[1]).abs();
-    first[1].is_finite() && first[1] != 0.0 && found.iter().all(holds)
+    let powers: Vec<i32> = (-LOWER..=2 * own.len() as i32).collect();
+    let places: Vec<f64> =
+        (0..PLACES).map(|k| WIDEST[0] * elementary::pow(WIDEST[1] / WIDEST[0], (k as f64 + 0.5) / PLACES as f64)).collect();
+    let values: Vec<f64> = places.iter().map(|u| quotient(*u)).collect();
+    if values.iter().any(|v| !v.is_finite() || *v == 0.0) {
+        return false;
+    }
+    // each row relative to its own value, so that four decades count alike
+    let entries = |(u, v): (&f64, &f64)| powers.iter().map(|p| elementary::powi(*u, *p) / v).collect::<Vec<f64>>();
+    let matrix: Vec<f64> = places.iter().zip(&values).flat_map(entries).collect();
+    let (factors, off) = Qr::new(&matrix, PLACES, powers.len()).least_squares(&vec![1.0; PLACES]);
+    let value = |u: f64| factors.iter().zip(&powers).map(|(c, p)| c * elementary::powi(u, *p)).sum::<f64>();
+    let size = |u: f64| factors.iter().zip(&powers).map(|(c, p)| (c * elementary::powi(u, *p)).abs()).sum::<f64>();
+    let missing = own.iter().any(|r| value(r / mean).abs() <= SAME * size(r / mean));
+    off <= SAME * (PLACES as f64).sqrt() && !missing
 }
 
 /// Natural frequencies for a sentence.

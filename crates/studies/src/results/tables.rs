@@ -3,7 +3,7 @@
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Extreme;
-use analysis::rest::observed::NOISE;
+use analysis::rest::sizes::NOISE;
 use report::table::Column;
 use report::{Cell, Table, Word};
 use words::Language;

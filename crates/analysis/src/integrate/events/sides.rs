@@ -33,6 +33,9 @@ const LOOSE: f64 = 1e-9;
 /// Rounding of a guard at the start, in units of the last place of the states that meet in it.
 const START: f64 = 64.0 * f64::EPSILON;
 
+/// The same of a contact: what has lain on a moving table or hung on a rope for many periods, and what is given to twelve digits, lies on it.
+const LAID: f64 = 4096.0 * f64::EPSILON;
+
 /// Largest share of what a guard does that counts as its rounding.
 const PLAUSIBLE: f64 = 1e-6;
 
@@ -54,7 +57,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 _ => continue,
             };
             let value = self.system.guard(i).first().copied().unwrap_or(0.0);
-            let noise = START * self.guard_scale[i].max(around);
+            let noise = if contact { LAID } else { START } * self.guard_scale[i].max(around);
             self.guard_noise[i] = noise;
             self.touched[i] = value.abs() <= noise;
             self.modes[i] = if self.touched[i] && !contact { Mode::Zero } else { Mode::of(value) };
@@ -65,7 +68,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             if contact && self.touched[i] {
                 // closed, unless an impact or the flow opens it
                 let rate = self.system.guard(i).get(1).copied().unwrap_or(0.0);
-                self.modes[i] = if rate.abs() <= START * self.guard_scale[i].max(rates) { Mode::Zero } else { Mode::Positive };
+                self.modes[i] = if rate.abs() <= LAID * self.guard_scale[i].max(rates) { Mode::Zero } else { Mode::Positive };
             }
         }
         self.free_unloaded();

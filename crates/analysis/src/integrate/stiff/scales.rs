@@ -7,7 +7,7 @@
 //! noise_i is the rounding of f (`newton.rs`): large forces that cancel leave it in the rates of fast states.
 
 use super::nodes::Stages;
-use crate::integrate::taylor::UNIT_SHARE;
+use crate::integrate::step::UNIT_SHARE;
 
 /// Multiple of the noise that the control does not look below.
 const NOISY: f64 = 4.0;

@@ -62,14 +62,13 @@
 //! order back. An order that the caller gives is kept. Acceptance does not depend on any of this.
 
 use crate::integrate::Series;
+use crate::integrate::step::UNIT_SHARE;
 use algebra::elementary;
 
 /// Lowest order.
 const LOWEST_ORDER: usize = 4;
 /// Highest order that is asked of a system.
 pub const HIGHEST_ORDER: usize = 40;
-/// Share of the largest component (or of the largest change) of a unit below which a smaller one of that unit is not resolved relatively.
-pub(in crate::integrate) const UNIT_SHARE: f64 = 1e-8;
 /// See the head of the file.
 const SLACK: f64 = 4.0;
 /// Changes of a length while it is sought: by thousandths down all decades that numbers have, and some.

@@ -35,7 +35,6 @@ use over::Passage;
 use passage::AWAY;
 
 pub use flow::Flow;
-pub(in crate::integrate) use length::UNIT_SHARE;
 pub use length::{HIGHEST_ORDER, order_for};
 pub use options::{Check, Options, Work, check_tolerance};
 

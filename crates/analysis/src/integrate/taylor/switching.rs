@@ -74,8 +74,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// but a guard like the slack of a rope, l - sqrt(x² + y²), is none.
     pub(super) fn trusted(&self, step: &Step, h: f64) -> f64 {
         let scheduled = |i: usize| self.system.guards()[i].scheduled.is_some();
-        // the gap of a closed contact is zero: its polynomial is rounding, and nobody asks for its roots
-        let holds = |i: usize| self.modes[i] == Mode::Zero && matches!(self.system.guards()[i].kind, GuardKind::Contact { .. });
+        // the gap of a closed contact and the slip of a friction that holds are zero: their polynomials are rounding, and nobody asks for their roots
+        let kept = |i: usize| matches!(self.system.guards()[i].kind, GuardKind::Contact { .. } | GuardKind::Friction { .. });
+        let holds = |i: usize| self.modes[i] == Mode::Zero && kept(i);
         (0..self.modes.len())
             .filter(|i| !scheduled(*i) && !holds(*i))
             .fold(h, |h, i| convergent(step.guards.row(i), h, self.rule.tolerance))

@@ -11,7 +11,7 @@
 
 use super::listener::Listener;
 use super::orbit::{Jump, Orbit};
-use super::slopes::{derivative, slopes};
+use super::slopes::{by_time, derivative, slopes};
 use super::square::Square;
 use super::variation::{self, Chain, Stretch};
 use crate::integrate::crossings::{Change, Switch};
@@ -73,7 +73,7 @@ pub(super) fn of_orbit<S: System + ?Sized>(
         }
         from = to;
         let Some(jump) = jump else { break };
-        match saltation(system, jump, scales)? {
+        match saltation(system, jump, (scales, orbit.period))? {
             Saltation::Matrix(mut scaled, mut terms) => {
                 scaled.scale(&balanced);
                 terms.scale(&balanced);
@@ -112,7 +112,7 @@ const CAUSE: f64 = 1e-7;
 /// Surfaces whose normals differ by more than this are two.
 const PARALLEL: f64 = 1e-7;
 
-fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) -> Result<Saltation, Fault> {
+fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, (scales, period): (&[f64], f64)) -> Result<Saltation, Fault> {
     let n = jump.before.len();
     if jump.switches.iter().any(|s| matches!(s.change, Change::Rests { .. })) {
         return Ok(Saltation::Undefined(Blur::Accumulation));
@@ -121,7 +121,7 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) ->
         return Ok(Saltation::Undefined(Blur::Jolt));
     }
     let closing: Vec<usize> = jump.switches.iter().filter(|s| closes(system, s)).map(|s| s.guard).collect();
-    let (map, map_rate) = reset(system, jump, &closing, scales)?;
+    let (map, map_rate) = reset(system, jump, &closing, (scales, period))?;
     let surfaces: Vec<usize> = jump.switches.iter().filter_map(|s| surface(system, s)).collect();
     let modes = &jump.modes[0];
     let mut rows = Vec::new();
@@ -194,7 +194,12 @@ fn surface<S: System + ?Sized>(system: &S, switch: &Switch) -> Option<usize> {
 }
 
 /// What an impact does to the state, linearised: derivative by the state and by time.
-fn reset<S: System + ?Sized>(system: &mut S, jump: &Jump, closing: &[usize], scales: &[f64]) -> Result<(Square, Vec<f64>), Fault> {
+fn reset<S: System + ?Sized>(
+    system: &mut S,
+    jump: &Jump,
+    closing: &[usize],
+    (scales, period): (&[f64], f64),
+) -> Result<(Square, Vec<f64>), Fault> {
     let n = jump.before.len();
     // what changes by rounding does not jump
     let moved = jump.before.iter().zip(&jump.then).zip(scales).any(|((a, b), s)| (a - b).abs() > 1e-9 * s);
@@ -207,9 +212,6 @@ fn reset<S: System + ?Sized>(system: &mut S, jump: &Jump, closing: &[usize], sca
         Ok(x)
     };
     let rows = derivative(&jump.before, scales, |x| hit(jump.t, x))?;
-    // central differences: 1e-12 of truncation against 1e-10 of rounding
-    let h = 1e-6 * (1.0 + jump.t.abs());
-    let (early, late) = (hit(jump.t - h, &jump.before)?, hit(jump.t + h, &jump.before)?);
-    let by_time = early.iter().zip(&late).map(|(a, b)| (b - a) / (2.0 * h)).collect();
-    Ok((Square { n, values: rows.concat() }, by_time))
+    let rates = by_time(jump.t, period, |t| hit(t, &jump.before))?;
+    Ok((Square { n, values: rows.concat() }, rates))
 }

@@ -33,8 +33,8 @@ mod verdict;
 pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
-pub use verdict::NEUTRAL;
 pub(in crate::studies) use shooting::{Shooting, Turned, tangent_of};
+pub use verdict::NEUTRAL;
 pub(in crate::studies) use verdict::outside;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};

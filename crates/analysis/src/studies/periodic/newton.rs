@@ -42,6 +42,8 @@ struct Search<'s, 'o> {
     state: Option<usize>,
     /// Scales of the first turn.
     whole: Vec<f64>,
+    /// Least scales.
+    floor: Vec<f64>,
     /// Whether the motion is far smaller than in the first turn.
     shrunk: bool,
     name: Text,
@@ -50,11 +52,11 @@ struct Search<'s, 'o> {
 /// From a start to a turn that closes.
 pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     let flow = Options { tolerance: options.tolerance, ..Options::default() };
-    let trial = trial(system, start, options, &flow)?;
+    let (trial, floor) = trial(system, start, options, &flow)?;
     if interrupted(options) {
         return Err(unsettled(1.0, 0));
     }
-    let (mut search, x) = prepare(system, start, trial, options, flow)?;
+    let (mut search, x) = prepare(system, start, (trial, floor), options, flow)?;
     if search.state.is_none()
         && let Some(found) = at_once(system, &mut search, &x)?
     {
@@ -113,7 +115,7 @@ impl<'o> Attempts<'o> {
         // a turn and a return are alternatives: the first to happen is the section from now on
         search.sections = vec![search.sections[which]];
         if turn == 0 {
-            search.scales = scales(system, &orbit, search.symmetry.frame.as_ref());
+            search.scales = scales(system, &orbit, search.symmetry.frame.as_ref(), &search.floor);
             search.whole.clone_from(&search.scales);
         }
         let left = search.left(system, &orbit);
@@ -248,7 +250,7 @@ fn at_once<'o, S: System + ?Sized>(system: &mut S, search: &mut Search<'_, 'o>, 
     let (sections, limit) = (search.sections.clone(), search.options.limit());
     let Some((orbit, _)) = follow(system, x, &sections, limit, &search.flow)? else { return Ok(None) };
     let before = search.scales.clone();
-    search.scales = scales(system, &orbit, None);
+    search.scales = scales(system, &orbit, None, &search.floor);
     let mut found = search.found(system, orbit)?;
     let mut miss = found.miss(&found.gap(), None);
     for step in 0..3 {
@@ -265,7 +267,7 @@ fn at_once<'o, S: System + ?Sized>(system: &mut S, search: &mut Search<'_, 'o>, 
         if step == 0 && left > AFFINE * miss {
             break;
         }
-        let scales = scales(system, &now.orbit, None);
+        let scales = scales(system, &now.orbit, None, &search.floor);
         let wider = Found { scales, ..now };
         let left = wider.miss(&wider.gap(), None);
         if step > 0 && left >= 0.5 * miss {
@@ -282,12 +284,15 @@ fn at_once<'o, S: System + ?Sized>(system: &mut S, search: &mut Search<'_, 'o>, 
 }
 
 /// Some steps after the time to settle. Only the first half counts, for the run may have ended before a singular place.
-fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>, with: &Options) -> Result<Orbit, Fault> {
+fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>, with: &Options) -> Result<(Orbit, Vec<f64>), Fault> {
     let mut flow = Flow::start(system, 0.0, start, with)?;
-    settle(&mut flow, options.settle, options)?;
+    let mut floor = settle(&mut flow, options.settle, options)?;
+    floor.iter_mut().for_each(|size| *size *= FLOOR);
     let begin = flow.time();
     let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
-    let end = begin + options.longest;
+    // a forced machine that runs away from its regime does so within any longer time
+    let enough = if let Return::Period(period) = options.by { PERIODS * period * options.returns.max(1) as f64 } else { f64::INFINITY };
+    let end = begin + options.longest.min(enough);
     while !flow.reached(end) && orbit.steps.len() < TRIAL && !interrupted(options) {
         if let Err(fault) = flow.advance(end) {
             // a motion that runs away shows scales before it does
@@ -307,15 +312,23 @@ fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'
         orbit.modes[1] = step.modes.clone();
         orbit.period = step.end().high - begin;
     }
-    Ok(orbit)
+    Ok((orbit, floor))
 }
 
-/// Follows the motion to the end of the time to settle.
+/// Periods of a forced machine that a trial lasts at most; the first half of it counts.
+const PERIODS: f64 = 4.0;
+/// Share of its largest value while the motion settled, and of the largest scale of its unit, below which a state has no scale of its own: what has died away to
+/// rounding still varies, and says nothing.
+const FLOOR: f64 = 1e-9;
+
+/// Follows the motion to the end of the time to settle. The largest magnitude of each state at the ends of its steps.
 ///
 /// *Errors*: S010 where that would take more steps than anybody waits for.
-fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, options: &Periodic<'_>) -> Result<(), Fault> {
+fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, options: &Periodic<'_>) -> Result<Vec<f64>, Fault> {
+    let mut sizes: Vec<f64> = flow.state().iter().map(|x| x.abs()).collect();
     while !flow.reached(end) && !interrupted(options) {
         flow.advance(end)?;
+        sizes.iter_mut().zip(flow.state()).for_each(|(size, x)| *size = size.max(x.abs()));
         options.listener.tell(Stage::Settling(flow.time(), end));
         let (steps, time) = (flow.work().steps as f64, flow.time());
         let needed = steps * (end / time);
@@ -323,20 +336,20 @@ fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, options: &Period
             return Err(Fault::too_many_steps(&flow.fastest(), time, time / steps, needed));
         }
     }
-    Ok(())
+    Ok(sizes)
 }
 
 /// Steps after which the time to settle is judged, and the most that it may take.
 const SAMPLE: f64 = 1000.0;
 const MOST: f64 = 1e9;
 
-/// What the states vary by.
-pub(super) fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>>) -> Vec<f64> {
+/// What the states vary by, at least `floor`.
+pub(super) fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>>, floor: &[f64]) -> Vec<f64> {
     let n = system.n_coordinates();
     let still = vec![0.0; orbit.first.len()];
     let ranges = orbit.ranges(frame.unwrap_or(&still));
     let time = orbit.period.max(f64::MIN_POSITIVE);
-    let mut out: Vec<f64> = Vec::new();
+    let (mut out, mut moves): (Vec<f64>, Vec<bool>) = (Vec::new(), Vec::new());
     for (i, &(range, size)) in ranges.iter().enumerate() {
         let is_rate = (n..2 * n).contains(&i);
         // a rate that moves its coordinate by no more than rounding is none
@@ -344,27 +357,40 @@ pub(super) fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Optio
         let size = if range == 0.0 && is_rate && size * time <= RESTS * out[i - n] { 0.0 } else { size };
         let scale = match system.states()[i].unit.as_str() {
             "rad" => 1.0,
-            _ if is_rate => range.max(0.1 * size),
+            // in step with its coordinate: entries of very different size cost the multipliers their digits
+            _ if is_rate => {
+                if range > 0.0 {
+                    range.max(0.1 * size).max(0.1 * out[i - n] / time)
+                } else {
+                    0.1 * size
+                }
+            }
             // a coordinate that hardly moves has a thousandth of its place as its scale
             _ => range.max(1e-3 * size),
         };
         let resting = if is_rate { out[i - n] / time } else { 1.0 };
-        out.push(if scale > 0.0 { scale } else { resting });
+        moves.push(scale > 0.0);
+        out.push(if scale > 0.0 { scale.max(floor.get(i).copied().unwrap_or(0.0)) } else { resting });
     }
+    // a state whose regime is zero varies by rounding of the others
+    let unit = |i: usize| system.states()[i].unit.as_str();
+    let largest = |i: usize| (0..out.len()).filter(|&j| moves[j] && unit(j) == unit(i)).map(|j| out[j]).fold(0.0, f64::max);
+    let least: Vec<f64> = (0..out.len()).map(|i| FLOOR * largest(i)).collect();
+    out.iter_mut().zip(&least).for_each(|(scale, least)| *scale = scale.max(*least));
     out
 }
 
 fn prepare<'s, 'o, S: System + ?Sized>(
     system: &mut S,
     start: &[f64],
-    mut trial: Orbit,
+    (mut trial, floor): (Orbit, Vec<f64>),
     options: &'s Periodic<'o>,
     flow: Options,
 ) -> Result<(Search<'s, 'o>, Vec<f64>), Fault> {
     let elapsed = trial.period;
     // about a radian a step
     trial.period = elapsed.min(6.0 * elapsed / trial.steps.len().max(1) as f64).max(f64::MIN_POSITIVE);
-    let (mut search, named) = begin(system, &trial, options, flow)?;
+    let (mut search, named) = begin(system, (&trial, floor), options, flow)?;
     let mut x = trial.first.clone();
     if let (Some(frame), true) = (&search.symmetry.frame, options.settle > 0.0) {
         // the same motion at t = 0
@@ -409,18 +435,18 @@ fn prepare<'s, 'o, S: System + ?Sized>(
 /// What is known of the motion before it is aimed at a section, and the state of the section where the file names it.
 fn begin<'s, 'o, S: System + ?Sized>(
     system: &mut S,
-    trial: &Orbit,
+    (trial, floor): (&Orbit, Vec<f64>),
     options: &'s Periodic<'o>,
     flow: Options,
 ) -> Result<(Search<'s, 'o>, Option<usize>), Fault> {
-    let first_scales = scales(system, trial, None);
+    let first_scales = scales(system, trial, None, &floor);
     let named = match &options.by {
         Return::State(name) => Some(state_named(system, name)?),
         _ => None,
     };
     let symmetry = symmetry::find(system, trial, &first_scales, named, Reach::Possible)?;
     let loose = symmetry::find(system, trial, &first_scales, named, Reach::Any)?;
-    let scales = scales(system, trial, symmetry.frame.as_ref());
+    let scales = scales(system, trial, symmetry.frame.as_ref(), &floor);
     let turns = Turns::find(system, trial, &scales)?;
     let search = Search {
         options,
@@ -432,6 +458,7 @@ fn begin<'s, 'o, S: System + ?Sized>(
         sections: Vec::new(),
         state: None,
         whole: Vec::new(),
+        floor,
         shrunk: false,
         name: Text::default(),
     };
@@ -456,7 +483,13 @@ fn settled_phase<S: System + ?Sized>(
     let whole = (options.settle / period).ceil() * period;
     let mut flow = Flow::start(system, 0.0, start, with)?;
     settle(&mut flow, whole, options)?;
-    Ok(flow.state().to_vec())
+    let (mut x, modes) = (flow.state().to_vec(), flow.modes().to_vec());
+    let settled = x.clone();
+    // the phase of many periods carries a rounding by which what lies on a shaken table would begin inside it
+    if system.project(0.0, &mut x, &modes).is_err() {
+        return Ok(settled);
+    }
+    Ok(x)
 }
 
 fn state_named<S: System + ?Sized>(system: &S, name: &str) -> Result<usize, Fault> {
@@ -552,7 +585,7 @@ impl<'o> Search<'_, 'o> {
         let left = rest::left(orbit, &self.scales);
         if left != Left::Motion {
             self.shrunk = true;
-            self.scales = scales(system, orbit, self.symmetry.frame.as_ref());
+            self.scales = scales(system, orbit, self.symmetry.frame.as_ref(), &self.floor);
             return Some(Left::Little);
         }
         Some(left)

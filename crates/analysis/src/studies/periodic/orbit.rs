@@ -51,6 +51,8 @@ pub(super) struct Orbit {
 
 /// A section passed within this share of the time so far of a switch is passed at the switch.
 const TOGETHER: f64 = 1e-13;
+/// Share of its time behind the end of a turn within which a switch belongs to it: some roundings of a phase.
+const BEHIND: f64 = 64.0 * f64::EPSILON;
 /// Most steps of a turn.
 const STEPS: usize = 200_000;
 
@@ -117,9 +119,26 @@ pub(super) fn follow<S: System + ?Sized>(
     }
     let Some(which) = timed.filter(|_| flow.reached(end)) else { return Ok(None) };
     orbit.period = end;
-    orbit.last = flow.state().to_vec();
-    orbit.modes[1] = flow.modes().to_vec();
+    (orbit.last, orbit.modes[1]) = (flow.state().to_vec(), flow.modes().to_vec());
+    if flow.switches().is_empty() {
+        switch_at_end(&mut flow, &mut orbit);
+    }
     Ok(Some((orbit, which)))
+}
+
+/// A switch at the very end of the time, which rounding may put behind it: the turn ends behind what happens once in a period, as it began behind it.
+fn switch_at_end<S: System + ?Sized>(flow: &mut Flow<'_, S>, orbit: &mut Orbit) {
+    // a fault behind the end is none of the turn
+    if flow.advance(orbit.period + BEHIND * orbit.period).is_err() || flow.switches().is_empty() {
+        return;
+    }
+    let mut step = flow.step().clone();
+    step.shorten(0.0);
+    orbit.steps.push(step);
+    let (t, switches, then) = (flow.time(), flow.switches().to_vec(), flow.state().to_vec());
+    let modes = [std::mem::replace(&mut orbit.modes[1], flow.modes().to_vec()), flow.modes().to_vec()];
+    let before = std::mem::replace(&mut orbit.last, then.clone());
+    orbit.jumps.push(Jump { after: orbit.steps.len() - 1, t, before, then, modes, switches });
 }
 
 /// A section under watch.

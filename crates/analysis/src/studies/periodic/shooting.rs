@@ -97,7 +97,7 @@ impl<'o> Shooting<'o> {
 
     /// Takes larger scales where a regime has become larger than all before it.
     pub(in crate::studies) fn widen<S: System + ?Sized>(&mut self, system: &S, turned: &Turned<'_>) {
-        let now = newton::scales(system, &turned.0.orbit, None);
+        let now = newton::scales(system, &turned.0.orbit, None, &[]);
         self.found.scales.iter_mut().zip(now).for_each(|(scale, now)| *scale = scale.max(now));
     }
 

@@ -582,6 +582,16 @@ pub(super) fn diverging(machine: &mut LinearMachine, place: &Place) -> Result<Ve
     Ok(found.map_or(Vec::new(), |f| f.modes.into_iter().filter(|m| m.kind == Kind::Divergence).collect()))
 }
 
+/// Share of its frequency from which an oscillation grows: one that neither grows nor dies away has roots to eleven digits.
+const GROWS: f64 = 1e-9;
+
+/// Whether an oscillation grows at a place.
+pub(super) fn flutters(machine: &mut LinearMachine, place: &Place) -> Result<bool, Fault> {
+    let matrices = machine.at(place)?;
+    let found = modes(&matrices, machine.coordinates(), Normalisation::Largest);
+    Ok(found.is_ok_and(|f| f.modes.iter().any(|m| m.kind == Kind::Oscillation && m.root.0 > GROWS * m.root.1.abs())))
+}
+
 /// Whether `b` lies strictly behind `a` on an arm: 1 goes upwards, 0 downwards.
 fn between(a: f64, b: f64, arm: usize) -> bool {
     if arm == 1 { b > a } else { b < a }

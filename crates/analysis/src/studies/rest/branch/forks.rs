@@ -1,13 +1,17 @@
 //! Where a place loses its stability without oscillation: the stable places that part from it there, and which of them is followed.
 
-use super::{BEHIND, Branch, Event, ONE_PLACE, SEEDS, Spot, Station, ZERO, between, distance, diverging, mixed};
+use super::{BEHIND, Branch, Event, ONE_PLACE, SEEDS, Spot, Station, ZERO, between, distance, diverging, flutters, mixed};
 use crate::Fault;
 use crate::linear::LinearMachine;
+
+/// Share of a step before a fork at which its oscillations are looked at.
+const BEFORE: f64 = 1e-3;
 
 impl Branch {
     /// A smooth step on which a stable place becomes unstable by a real root.
     pub(super) fn fork(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
-        let (mut low, mut high) = (self.last(side), to.clone());
+        let first = self.last(side);
+        let (mut low, mut high) = (first.clone(), to.clone());
         for _ in 0..100 {
             let middle = 0.5 * (low.value + high.value);
             let (Some(a), Some(b)) = (&low.spot, &high.spot) else { break };
@@ -17,6 +21,17 @@ impl Branch {
             let Some(spot) = self.spot(machine, middle, &mixed(&a.place.q, &b.place.q, 0.5))? else { break };
             let station = |spot| Station { value: middle, spot: Some(spot), parted: false };
             if spot.unstable > 0 { high = station(spot) } else { low = station(spot) }
+        }
+        // a little before, where the roots of a flutter that ends are still apart
+        let before = low.value - BEFORE * (low.value - first.value);
+        let place = low.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
+        if let Some(spot) = self.spot(machine, before, &place)?
+            && flutters(machine, &spot.place)?
+        {
+            // a growing oscillation that becomes two growing motions: the stability was lost before, and no place parts here
+            self.push(side, high);
+            self.push(side, to);
+            return Ok(());
         }
         let at = high.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
         let step = BEHIND * (to.value - self.home);
