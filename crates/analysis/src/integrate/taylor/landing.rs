@@ -19,6 +19,8 @@ enum Landing {
     OutOfReach,
     /// The step has left the conditions of connections by too much: they are held by rounding only, which grows with its length.
     Drifts,
+    /// A change point lies in it or beside its end: only a series leads over one (`passage.rs`).
+    AtChangePoint,
 }
 
 impl<S: System + ?Sized> Flow<'_, S> {
@@ -47,7 +49,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             match self.land(engine, (h, growth), target)? {
                 Landing::Done => return Ok(true),
                 Landing::Drifts if 0.5 * h >= self.implicit.least(self.guess) => length = 0.5 * h,
-                Landing::Drifts | Landing::OutOfReach => return Ok(false),
+                Landing::Drifts | Landing::OutOfReach | Landing::AtChangePoint => return Ok(false),
             }
         }
         Ok(false)
@@ -80,6 +82,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Takes the step that holds up to its end or to the first event in it.
     fn land(&mut self, engine: &mut Collocation, (h, growth): (f64, f64), target: f64) -> Result<Landing, Fault> {
         engine.give(&mut self.step, &self.x);
+        if !self.stays_clear(h) {
+            self.work.rejected += 1;
+            return Ok(Landing::AtChangePoint);
+        }
         let full = h >= self.now.until(target);
         let (length, ending) = self.shorten_to_event(h);
         self.evaluate(length);

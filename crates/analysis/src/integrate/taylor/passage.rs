@@ -54,6 +54,10 @@ const DEFECT: f64 = 1e3;
 const RUNAWAY: f64 = 0.2;
 /// Ratio of margins at four places, thirds apart, below which there is no zero between: beside one, two of them are at least as 2 to 1.
 const FLAT: f64 = 1.1;
+/// Share of its own margin that an implicit step keeps where the margin is less than [`FINE`] of the best: in a narrow place, not on the way to a change point.
+const NARROW: f64 = 0.95;
+/// The least of three margins beside the larger of its neighbours: with a zero between, it is at most a third of it; the rest is for their bend.
+const DIP: f64 = 0.6;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Halvings and golden sections.
 const SECTIONS: usize = 48;
@@ -98,6 +102,30 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         let before = self.before(to)?;
         Ok(if to > AHEAD * h { before.min(h) } else { before })
+    }
+
+    /// Whether an implicit step of this length, whose polynomials the step has, keeps clear of change points all along. Collocation does not see one between its
+    /// nodes, and the other way of assembly satisfies all equations as well: there the series takes over.
+    pub(super) fn stays_clear(&mut self, h: f64) -> bool {
+        (self.passage.over, self.step.change) = (None, None);
+        let Some(here) = self.margin(0.0) else { return true };
+        let margins: Vec<f64> = (0..=LOOKS).map(|k| self.margin(h * k as f64 / LOOKS as f64).unwrap_or(0.0)).collect();
+        let best = margins.iter().fold(self.passage.best, |m, margin| m.max(*margin));
+        // what a step has off the connections between its nodes the forces there have over the margin
+        let floor = (FINE * best).min(NARROW * here);
+        let mut least = here.min(margins[LOOKS]);
+        for k in 0..=LOOKS {
+            let (before, after) = (k.saturating_sub(1), (k + 1).min(LOOKS));
+            let beside = margins[before].max(margins[after]);
+            let inside = before < k && k < after && margins[k] <= margins[before].min(margins[after]) && margins[k] < DIP * beside;
+            // at an end there may be one between it and its only neighbour
+            let at_end = (k == before || k == after) && margins[k] < FINE * best;
+            if inside || at_end {
+                least = least.min(self.lowest(h * before as f64 / LOOKS as f64, h * after as f64 / LOOKS as f64).1);
+            }
+        }
+        (self.passage.here, self.passage.best, self.passage.least) = (here, best, least);
+        least >= floor
     }
 
     /// The first of these lengths with which a step leads over the change point at `to` with the least error that one of them can have.
@@ -221,7 +249,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// Margin at `tau` after the start of the step, along its polynomials cut at their least terms.
     fn margin(&mut self, tau: f64) -> Option<f64> {
-        let last = self.terms(tau, f64::INFINITY).map_or(usize::MAX, |(last, _)| last);
+        // the terms of collocation are those of one polynomial, none of them less sure than another
+        let sure = if self.step.implicit { None } else { self.terms(tau, f64::INFINITY) };
+        let last = sure.map_or(usize::MAX, |(last, _)| last);
         for i in 0..self.x.len() {
             let c = self.step.states.row(i);
             self.next_x[i] = c[0] + step::increment(&c[..=last.min(c.len() - 1)], tau);
