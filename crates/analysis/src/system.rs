@@ -119,6 +119,25 @@ pub struct Blow {
     pub law: Impacts,
     /// The first blows of the instant one by one, where there were several.
     pub blows: Vec<SingleBlow>,
+    /// What contacts and frictions did, all blows together; none where nothing struck.
+    pub work: Option<BlowWork>,
+}
+
+/// Work of the impulses of contacts and frictions in the blows of an instant, relative to the surfaces that meet, J.
+///
+/// ```text
+/// W = Σ ± Λ (u₋ + u₊)/2          + for contacts, - for frictions, whose Λ resists; over all blows, each with its own rates
+/// ```
+///
+/// The kinetic energies before and after have the same difference, and where a light body strikes a heavy one they cancel to the last digit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BlowWork {
+    /// W: negative where energy is lost.
+    pub done: f64,
+    /// Σ |Λ| (|u₋| + |u₊|)/2, what has met in it.
+    pub met: f64,
+    /// Rounding of `done`, by the terms that meet in the rates u.
+    pub rounding: f64,
 }
 
 /// One of several blows of an instant.
@@ -371,6 +390,13 @@ pub trait System {
     fn is_shared(&self, output: usize) -> Option<&[usize]> {
         let _ = output;
         None
+    }
+
+    /// Whether contacts and frictions that share a load at a state leave the motion itself open: a friction that slides is pressed by one of them, and goes by its
+    /// share.
+    fn moves_otherwise(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> bool {
+        let _ = (t, x, modes);
+        false
     }
 
     /// Remarks on the system, to be shown beside every result.

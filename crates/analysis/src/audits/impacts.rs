@@ -7,11 +7,13 @@
 //! loss = (q'₋ - w)ᵀ M (q'₋ - w)/2 - (q'₊ - w)ᵀ M (q'₊ - w)/2 = -Σ p (u₋ + u₊)/2        whatever w of these is taken
 //! ```
 //!
-//! so the energies are those relative to the surfaces, and a table at rest is the case w = 0.
+//! so the energies are those relative to the surfaces, and a table at rest is the case w = 0. The right side has all its digits where a grain strikes a heavy
+//! machine; the left one, which has lost them there, is its check.
 
 use words::Text;
 
 use crate::dataset::Audit;
+use crate::system::BlowWork;
 use crate::{Mode, System};
 
 /// What rounding may add to an impact, relative to the energy that takes part.
@@ -20,14 +22,21 @@ const GAIN: f64 = 1e-9;
 /// Rounding of an energy, which is a difference of three (see [`relative`]).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Collects energies before and after impacts.
+/// Share of the rounding of a work, which bounds what long chains of blows make of it, below which it is none.
+const NOTHING: f64 = 1.0 / 64.0;
+
+/// Collects energies before and after impacts, and the works of impulses.
 #[derive(Clone, Debug, Default)]
 pub struct ImpactEnergy {
     worst: f64,
     lost: f64,
-    /// Largest kinetic energy before an impact.
+    /// Largest energy that took part in an impact.
     largest: f64,
     count: u64,
+    /// Largest difference of a work from the change of the kinetic energies, relative to these; none where they were never compared.
+    off: Option<f64>,
+    /// Largest of these energies.
+    energy: f64,
 }
 
 /// Share of the largest energy below which an impact is one of a dying sequence, and its gain rounding.
@@ -35,16 +44,33 @@ const DYING: f64 = 1e-6;
 
 impl ImpactEnergy {
     /// Kinetic energies relative to the surfaces just before and after an impact; returns the loss.
-    pub fn record(&mut self, before: f64, after: f64) -> f64 {
+    pub fn record(&mut self, [before, after]: [f64; 2]) -> f64 {
         let lost = before - after;
-        self.lost += lost;
-        self.largest = self.largest.max(before);
-        self.count += 1;
-        if lost < 0.0 {
-            self.worst = self.worst.max(-lost / before.max(DYING * self.largest));
-        }
+        self.note(lost, before, 0.0);
         // what is left of two energies that are equal
         if lost.abs() <= ROUNDING * before.max(after) { 0.0 } else { lost }
+    }
+
+    /// The work of the impulses; returns the loss. `energies` as in [`ImpactEnergy::record`], where they are known.
+    pub fn record_work(&mut self, work: BlowWork, energies: Option<[f64; 2]>) -> f64 {
+        let lost = if work.done.abs() <= NOTHING * work.rounding { 0.0 } else { -work.done };
+        self.note(lost, work.met, work.rounding);
+        if let Some([before, after]) = energies {
+            self.energy = self.energy.max(before).max(after);
+            let size = before.max(after).max(DYING * self.energy);
+            let off = if size > 0.0 { (before - after - lost).abs() / size } else { 0.0 };
+            self.off = Some(self.off.unwrap_or(0.0).max(off));
+        }
+        lost
+    }
+
+    fn note(&mut self, lost: f64, size: f64, rounding: f64) {
+        self.lost += lost;
+        self.largest = self.largest.max(size);
+        self.count += 1;
+        if lost < -rounding {
+            self.worst = self.worst.max((-lost - rounding) / size.max(DYING * self.largest));
+        }
     }
 
     /// Sum of all losses, J.
@@ -68,6 +94,15 @@ impl ImpactEnergy {
             )
         };
         (self.count > 0).then(|| Audit::at_most("impact_energy", name, self.worst, GAIN))
+    }
+
+    /// The check of the losses by the kinetic energies; none where they were never compared.
+    pub fn audit_of_work(&self) -> Option<Audit> {
+        let name = Text::new(
+            "impacts: largest difference of the energy lost by impulses from that by kinetic energies, relative to these",
+            "удары: наибольшее отличие потери энергии по импульсам от потери по кинетическим энергиям, относительно этих энергий",
+        );
+        Some(Audit::at_most("impact_work", name, self.off?, GAIN))
     }
 }
 

@@ -92,6 +92,7 @@ impl Conditions {
             carried: units.iter().map(|unit| if kick.is_some() { pressure(unit, &whole) } else { [0.0; 2] }).collect(),
             blows: Vec::new(),
             phased: false,
+            work: Default::default(),
             units,
             responses,
         };

@@ -78,6 +78,7 @@ impl Strike {
                 return Err(Fault::jammed_impact(t));
             }
             let impulses: Vec<f64> = way.iter().map(|w| w * length).collect();
+            let before = self.rates.clone();
             self.take(set, &impulses);
             if let Some((i, _)) = stop.filter(|(_, p)| *p <= length) {
                 self.rates[i] = 0.0;
@@ -90,6 +91,7 @@ impl Strike {
                 }
                 Phase::Opening { left } => Phase::Opening { left: left - length },
             };
+            self.book((set, &impulses), &before);
             if matches!(phase, Phase::Opening { left } if left <= 0.0) {
                 return Ok(());
             }

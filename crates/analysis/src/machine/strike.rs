@@ -8,6 +8,7 @@ use words::Text;
 
 use super::ties::RATE;
 use crate::fault::contacts::Gaining;
+use crate::system::BlowWork;
 use crate::{Blow, Fault, SingleBlow};
 
 /// Share of the largest rate below which a closing rate is rounding.
@@ -81,6 +82,8 @@ pub(super) struct Strike {
     /// Impulses after each blow.
     pub(super) blows: Vec<Vec<f64>>,
     pub(super) phased: bool,
+    /// Work of all impulses so far.
+    pub(super) work: BlowWork,
 }
 
 pub(super) fn pressure(unit: &Unit, reactions: &[f64]) -> Pressure {
@@ -233,11 +236,24 @@ impl Strike {
 
     /// Adds impulses of a set. What has reached its goal within rounding has reached it.
     pub(super) fn reach(&mut self, (set, goal): (&[usize], &[Goal]), impulses: &[f64]) {
+        let before = self.rates.clone();
         self.take(set, impulses);
         for (&i, goal) in set.iter().zip(goal) {
             if (self.rates[i] - goal.rate).abs() <= self.noise[i] {
                 self.rates[i] = goal.rate;
             }
+        }
+        self.book((set, impulses), &before);
+    }
+
+    /// Books the work of impulses that took the rates from those before to the present ones.
+    pub(super) fn book(&mut self, (set, impulses): (&[usize], &[f64]), before: &[f64]) {
+        let count = self.units.len();
+        for (&i, p) in set.iter().zip(impulses) {
+            let (was, is) = (before[i], self.rates[i]);
+            self.work.done += 0.5 * self.coupling[i * count + i].signum() * p * (was + is);
+            self.work.met += 0.5 * p.abs() * (was.abs() + is.abs());
+            self.work.rounding += p.abs() * self.noise[i];
         }
     }
 
@@ -290,6 +306,7 @@ impl Strike {
             stuck: units().filter(|(i, _)| !self.is_contact(*i) && stops(*i)).map(|(_, unit)| unit.guard).collect(),
             phased: self.phased,
             silent: units().filter(|(i, _)| self.is_silent(*i, before[*i])).map(|(_, unit)| unit.guard).collect(),
+            work: Some(self.work),
             ..Blow::default()
         }
     }

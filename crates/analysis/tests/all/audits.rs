@@ -5,6 +5,7 @@ use crate::common;
 use analysis::audits::impacts::{ImpactEnergy, drift, relative};
 use analysis::marks::named::{Direction, Named};
 use analysis::studies::simulate::{Grid, Simulate, simulate};
+use analysis::system::BlowWork;
 use analysis::{Dataset, Fault, Guard, Mode, Powers, Quantity, System};
 use common::*;
 
@@ -160,12 +161,12 @@ fn an_impact_on_a_moving_table_may_gain_energy_but_not_beside_the_table() {
     let [before, after] = of(&mut ball, 0.7);
     assert!((before - 0.18).abs() < ROUNDING && (after - 0.045).abs() < ROUNDING);
     let mut fair = ImpactEnergy::default();
-    assert!((fair.record(before, after) - 0.135).abs() < ROUNDING);
+    assert!((fair.record([before, after]) - 0.135).abs() < ROUNDING);
     assert!(fair.audit().unwrap().ok);
     // 0.401 + 0.6: more than it came with
     let [before, after] = of(&mut ball, 1.001);
     let mut foul = ImpactEnergy::default();
-    foul.record(before, after);
+    foul.record([before, after]);
     assert!(!foul.audit().unwrap().ok);
 }
 
@@ -217,4 +218,21 @@ fn digits_fall_where_the_motion_parts_from_its_repetition() {
     let held = poor.digits.as_ref().unwrap();
     assert!(held.columns.iter().all(|c| c.digits <= 2 && c.lost.is_some()), "{held:?}");
     assert!(poor.notes.iter().any(|n| n.en.contains("digits only")));
+}
+
+/// A grain takes 1.5e-6 J from a machine of 1e9 J: the work tells it, and the energies say whether it can be.
+#[test]
+fn works_of_impulses_are_checked_by_the_energies() {
+    let work = |done: f64| BlowWork { done, met: 4.5e-6, rounding: 1e-17 };
+    let mut fair = ImpactEnergy::default();
+    assert_eq!(fair.record_work(work(-1.5e-6), Some([1e9, 1e9])), 1.5e-6);
+    assert!(fair.audit().is_some_and(|a| a.ok) && fair.audit_of_work().is_some_and(|a| a.ok));
+    // an elastic blow takes nothing, whatever rounding leaves of it
+    assert_eq!(ImpactEnergy::default().record_work(work(1e-19), None), 0.0);
+    let mut gaining = ImpactEnergy::default();
+    gaining.record_work(work(1e-9), None);
+    assert!(gaining.audit().is_some_and(|a| !a.ok));
+    let mut other = ImpactEnergy::default();
+    other.record_work(work(-1.5e-6), Some([1.0, 0.5]));
+    assert!(other.audit_of_work().is_some_and(|a| !a.ok));
 }

@@ -58,14 +58,13 @@ impl Run {
         if system.project(t, &mut surface, &taking).is_err() {
             surface[n..2 * n].fill(0.0);
         }
-        let [before, after] = relative(system, t, [&states[0], &states[1]], &surface, modes[1])?;
+        let energies = relative(system, t, [&states[0], &states[1]], &surface, modes[1]);
         let one = path(switches) == Path::Together && moves_as_one(system, t, &surface, [&taking, modes[1]]);
+        // not where surfaces move that no motion keeps all, as of a rope that is drawn over a ring
         let one = one && !self.rubs_elsewhere(flow, states, modes, &taking);
-        // surfaces that no motion keeps all, as of a rope that is drawn over a ring
-        let taken = if one { None } else { self.taken(flow, switches, states, modes) };
-        Some(match taken {
-            Some(taken) => self.impacts.record(before.max(after + taken), before.max(after + taken) - taken),
-            None => self.impacts.record(before, after),
+        Some(match flow.blow().and_then(|blow| blow.work) {
+            Some(work) => self.impacts.record_work(work, energies.filter(|_| one)),
+            None => self.impacts.record(energies?),
         })
     }
 
@@ -81,20 +80,6 @@ impl Run {
         let touches = flow.system().struck(t, &states[0], &blow.reactions, modes[1]).unwrap_or_default();
         let rubs = |touch: &Touch| matches!(touch.law, TouchLaw::Friction { .. }) && touch.force != 0.0;
         touches.iter().any(|touch| rubs(touch) && taking[touch.guard] != Mode::Zero)
-    }
-
-    /// Energy that contacts and frictions take at this instant by their impulses.
-    fn taken<S: System + ?Sized>(
-        &self,
-        flow: &mut Flow<'_, S>,
-        switches: &[Switch],
-        states: &[Vec<f64>; 2],
-        modes: [&[Mode]; 2],
-    ) -> Option<f64> {
-        let blow = flow.blow().cloned()?;
-        let t = flow.time();
-        let works = works_of_touches(flow.system(), t, states, (modes[1], &blow), path(switches))?;
-        Some(-works.iter().sum::<f64>())
     }
 
     /// Impulses of this instant; those that are not unique are not numbers.

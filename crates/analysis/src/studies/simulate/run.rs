@@ -424,6 +424,7 @@ impl Run {
             self.bodies.audit(tolerance),
             self.defect.audit(tolerance),
             self.impacts.audit(),
+            self.impacts.audit_of_work(),
             self.friction.audit(),
             drift(self.drift, self.work.projections, tolerance),
             confirmed,
