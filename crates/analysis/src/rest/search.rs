@@ -87,8 +87,16 @@ const STEPS: usize = 200;
 /// Distance of two places that are one, relative to the sizes of the coordinates.
 pub(crate) const ONE: f64 = 1e-7;
 
+/// How far beside a place with a singular stiffness Newton's method begins, relative to the sizes, and its steps: towards a zero of order seven they leave a
+/// hundredth of the way.
+const ASIDE: f64 = 1e-3;
+const BACK: usize = 30;
+
 /// Forces relative to the terms that balance in them, where Newton's method comes to no better place: some hundred roundings.
 const BALANCED: f64 = 1e-13;
+
+/// Work of a force that is rounding, relative to the largest work of one over the size of a coordinate: some dozens of roundings.
+const NOTHING: f64 = 64.0 * f64::EPSILON;
 
 pub(crate) fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
     let (a, b) = (rounded(from), rounded(to));
@@ -145,7 +153,10 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
                 if self.neutral_is_found || held {
                     return self.free(x);
                 }
-                return Err(if balanced { self.neutral(&lu) } else { self.failed() });
+                return match lu.null_direction() {
+                    Some(free) if balanced && self.is_isolated(&x, &free)? => Ok(self.rest(x)),
+                    _ => Err(if balanced { self.neutral(&lu) } else { self.failed() }),
+                };
             };
             let length = norm(&correction);
             // otherwise the search ends when rounding lets no correction shrink any more
@@ -175,7 +186,30 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
                 }
             }
         }
-        Err(self.failed())
+        // towards a multiple zero every step leaves a share of the way
+        if self.residual(&x) <= BALANCED || self.is_nothing(&x) { Ok(self.rest(x)) } else { Err(self.failed()) }
+    }
+
+    /// Whether a place with a singular stiffness is a multiple zero of the forces and not one of a line of places: from beside it Newton's method comes back.
+    fn is_isolated(&mut self, x: &[f64], free: &[f64]) -> Result<bool, Fault> {
+        let n = self.n;
+        let sizes = self.sizes.at(&[&x[..n]]);
+        let longest = free.iter().zip(&sizes).fold(0.0_f64, |m, (v, size)| m.max(v.abs() / size));
+        let square: f64 = free.iter().map(|v| v * v).sum();
+        let mut comes_back = true;
+        for off in [ASIDE, -ASIDE] {
+            let mut there = x.to_vec();
+            there.iter_mut().zip(free).for_each(|(q, v)| *q += off * v / longest);
+            for _ in 0..BACK {
+                self.evaluate(&there)?;
+                let (correction, _) = Qr::alike(&self.jacobian, n, n, DEPENDENT).least_squares(&self.forces);
+                there.iter_mut().zip(&correction).for_each(|(q, c)| *q -= c);
+            }
+            let left: f64 = there.iter().zip(x).zip(free).map(|((a, b), v)| (a - b) * v).sum::<f64>() / square;
+            comes_back &= (left * longest).abs() <= 0.5 * ASIDE;
+        }
+        self.evaluate(x)?;
+        Ok(comes_back)
     }
 
     /// Guesses along a range: with one coordinate every change of sign of its force and every place where it nearly touches zero, with
@@ -233,7 +267,17 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
             (x, residual) = (next, after);
         }
         self.evaluate(&x)?;
-        if residual <= BALANCED { Ok(self.rest(x)) } else { Err(self.failed()) }
+        if residual <= BALANCED || self.is_nothing(&x) { Ok(self.rest(x)) } else { Err(self.failed()) }
+    }
+
+    /// Whether all forces are rounding beside the largest of the machine, by the works that they do over the sizes of the coordinates. At a multiple zero a
+    /// force and all terms that meet in it vanish together, and there is nothing of its own to compare it with.
+    fn is_nothing(&self, x: &[f64]) -> bool {
+        let n = self.n;
+        let (terms, sizes) = (self.system.terms(), self.sizes.at(&[&x[..n]]));
+        let reach = |i: usize| terms[i] + (0..n).map(|j| self.jacobian[i * n + j].abs() * x[j].abs().max(sizes[j])).sum::<f64>();
+        let largest = (0..n).map(|i| reach(i) * sizes[i]).fold(0.0, f64::max);
+        (0..n).all(|i| (self.forces[i] * sizes[i]).abs() <= NOTHING * largest)
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {

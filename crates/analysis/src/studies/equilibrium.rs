@@ -26,6 +26,14 @@ pub fn nothing_moves() -> Text {
     )
 }
 
+/// What is said of places that are not isolated.
+pub fn neutral() -> Text {
+    Text::new(
+        "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
+        "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
+    )
+}
+
 /// What rest means.
 pub(crate) fn rates_are_zero() -> Text {
     Text::new("rates are zero", "скорости равны нулю")
@@ -100,10 +108,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         ));
     }
     if options.over.is_none() && n > 1 && found.iter().any(|rest| rest.stable.is_none()) {
-        dataset.notes.push(Text::new(
-            "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
-            "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
-        ));
+        dataset.notes.push(neutral());
     }
     // a guess that failed matters only when nothing was found, a free motion always
     let neutral = faults.iter().position(|f| f.code == "S008");

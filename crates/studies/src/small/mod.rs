@@ -23,6 +23,7 @@ use analysis::studies::equilibrium::Equilibrium;
 use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::studies::rest::branch::{Beyond, Branch};
 use analysis::studies::rest::contacts::Contacts;
+use analysis::studies::rest::degenerate::{degenerate, remark};
 use analysis::studies::rest::stability::with_closed;
 use analysis::{Dataset, Fault, Quantity, System};
 use std::sync::Arc;
@@ -235,6 +236,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     let rows = data.columns.first().map_or(0, |c| c.values.len());
     let (mut growth, mut negative) = (Vec::new(), Vec::new());
     let mut verdicts = Vec::new();
+    let (mut higher, mut neutral) = (Vec::new(), false);
     for row in 0..rows {
         let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
         let Some(q) = q else { return };
@@ -244,12 +246,25 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
             found.as_ref().map_or(0.0, |f| f.modes.iter().fold(0.0_f64, |g, m| g.max(algebra::elementary::hypot(m.root.0, m.root.1))));
         let grows = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
         let verdict = matrices.as_ref().map_or(None, |m| analysis::studies::rest::stability::verdict(m, grows, fastest));
-        verdicts.push(verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable))));
+        let of = |verdict: Option<bool>| verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable)));
+        if let Some(found) = degenerate(&mut linear, &Place::rest(&q)) {
+            verdicts.push(of(found.stable));
+            higher.push(found);
+            growth.push(f64::NAN);
+            negative.push(f64::NAN);
+            continue;
+        }
+        neutral |= verdict.is_none();
+        verdicts.push(of(verdict));
         growth.push(found.as_ref().map_or(f64::NAN, |_| grows));
         negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));
     }
     if let Some(stable) = data.columns.iter_mut().find(|c| c.quantity.name == "stable") {
         stable.values = verdicts;
+    }
+    if let Some(remark) = remark(higher.iter()) {
+        data.notes.retain(|note| neutral || *note != analysis::studies::equilibrium::neutral());
+        data.notes.push(remark);
     }
     let column = |name: &str, unit: &str, label: Text, values: Vec<f64>| Column {
         quantity: Quantity { label, ..Quantity::new(name, unit) },

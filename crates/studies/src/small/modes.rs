@@ -12,6 +12,7 @@ use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
 use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::rest::branch::Change;
+use analysis::studies::rest::degenerate::{Degenerate, degenerate, remark};
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::FrequencyVariable;
@@ -41,6 +42,8 @@ pub struct Found {
     pub equation: Option<FrequencyEquation>,
     /// Modes along the parameter of the study.
     pub tracks: Option<Tracks>,
+    /// What decides where the stiffness vanishes in a direction.
+    pub degenerate: Option<Degenerate>,
 }
 
 /// Makes the study: one row per mode; along a parameter one row per value.
@@ -74,8 +77,12 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     if machine.equations.coordinates.is_empty() {
         return Err(analysis::fault::nothing_moves());
     }
-    let matrices = small.machine.at(&small.place)?;
+    let mut matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
+    let degenerate = if study.about_start { None } else { degenerate(&mut small.machine, &small.place) };
+    if let Some(found) = &degenerate {
+        found.settle(&mut matrices);
+    }
     let modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
     let equation = (!study.about_start && modes.damping != Damping::General && matrices.jacobian.is_empty())
         .then(|| equation::find(machine, &small, study.variable.as_ref()))
@@ -86,7 +93,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
         Some(sweep) => Some(along(&mut small, sweep)?),
         None => None,
     };
-    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation: equation.map(|e| e.0), tracks })
+    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation: equation.map(|e| e.0), tracks, degenerate })
 }
 
 fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
@@ -138,6 +145,7 @@ fn dataset(found: &Found) -> Dataset {
             "около движения в начальный момент; коэффициенты взяты в этот момент",
         ));
     }
+    data.notes.extend(remark(found.degenerate.iter()));
     data.notes.extend(timing_notes(timing(found)));
     data
 }
@@ -209,8 +217,9 @@ pub fn is_complex(modes: &Modes) -> bool {
 }
 
 /// Whether the equilibrium is stable: none where free motions leave it open.
-pub fn stability(modes: &Modes) -> Option<bool> {
+pub fn stability(modes: &Modes, degenerate: Option<&Degenerate>) -> Option<bool> {
     match () {
+        () if degenerate.is_some() => degenerate.and_then(|d| d.stable),
         () if modes.modes.iter().any(modes::Mode::grows) => Some(false),
         () if modes.modes.iter().any(|m| m.kind == Kind::RigidBody) || modes.zeros > 0 => None,
         () => Some(true),
@@ -244,7 +253,7 @@ fn to_json(found: Option<&Found>) -> Map<String, Value> {
     }
     let place: Map<String, Value> = names.iter().zip(&f.small.place.q).map(|(q, v)| (q.name.clone(), json!(v))).collect();
     own.insert("equilibrium".into(), Value::Object(place));
-    own.insert("stable".into(), json!(stability(&f.modes)));
+    own.insert("stable".into(), json!(stability(&f.modes, f.degenerate.as_ref())));
     let damping = match f.modes.damping {
         Damping::None => "none",
         Damping::Classical => "classical",

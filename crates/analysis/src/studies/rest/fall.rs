@@ -53,23 +53,26 @@ pub fn fall(machine: &mut LinearMachine, q: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// A place on the surface of the connections, with the matrices along it.
-struct Slope {
-    q: Vec<f64>,
-    along: Matrices,
+pub(super) struct Slope {
+    pub(super) q: Vec<f64>,
+    pub(super) along: Matrices,
     /// Basis of the motions along the surface, row by row; none where all coordinates are free.
-    basis: Option<Vec<f64>>,
+    pub(super) basis: Option<Vec<f64>>,
+    /// The stiffness of all coordinates.
+    pub(super) whole: Vec<f64>,
 }
 
 impl Slope {
-    fn at(machine: &mut LinearMachine, q: &[f64]) -> Option<Slope> {
+    pub(super) fn at(machine: &mut LinearMachine, q: &[f64]) -> Option<Slope> {
         let place = machine.drawn(q).ok()?;
         let found = machine.at(&place).ok()?;
         if !found.drift.is_empty() {
             return None;
         }
+        let whole = found.stiffness.clone();
         Some(match found.allowed() {
-            Some((z, k)) => Slope { q: place.q, along: found.reduced(&z, k), basis: Some(z) },
-            None => Slope { q: place.q, along: found, basis: None },
+            Some((z, k)) => Slope { q: place.q, along: found.reduced(&z, k), basis: Some(z), whole },
+            None => Slope { q: place.q, along: found, basis: None, whole },
         })
     }
 

@@ -6,6 +6,7 @@ pub mod beside;
 pub mod branch;
 pub mod changes;
 pub mod contacts;
+pub mod degenerate;
 pub mod fall;
 pub mod report;
 pub mod stability;

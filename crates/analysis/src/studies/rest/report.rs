@@ -14,6 +14,7 @@ use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
 use words::Text;
 
+use super::degenerate::{Degenerate, degenerate, remark};
 use super::stability::{free_directions, verdict, with_closed};
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::linear::{LinearMachine, Place as Linearised};
@@ -43,6 +44,7 @@ struct Row {
     negative: f64,
     free: usize,
     second: f64,
+    degenerate: Option<Degenerate>,
 }
 
 /// What is studied: the equations of rest, and those of motion, whose rates small motions need.
@@ -96,7 +98,7 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
             observed::complete(equations, (parameters, &place.q), &mut place.reactions);
             notes.extend(observed::left_open(equations, &place.reactions, observed::Left::Hidden));
             let second = second(equations, parameters, &place);
-            rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
+            rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None });
             notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
@@ -113,11 +115,9 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
         });
     }
     if rows.iter().any(|r| r.free > 0) {
-        notes.push(Text::new(
-            "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
-            "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
-        ));
+        notes.push(crate::studies::equilibrium::neutral());
     }
+    notes.extend(remark(rows.iter().filter_map(|r| r.degenerate.as_ref())));
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
@@ -154,7 +154,7 @@ fn at_limits(
         notes.extend(ranges);
         observed::complete(equations, (parameters, &place.q), &mut place.reactions);
         let second = second(equations, parameters, &place);
-        rows.push(Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
+        rows.push(Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None });
     }
     let said = |(r, direction): &Impending, forward: &'static str, backward: &'static str| {
         format!("{} ({})", equations.reactions[*r].name, if *direction > 0.0 { forward } else { backward })
@@ -254,7 +254,7 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
 fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fault> {
     let equations = studied.rest;
     let second = second(equations, parameters, &place);
-    let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second };
+    let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None };
     // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
     let closed = with_closed(studied.motion, &row.place.closed);
@@ -286,6 +286,12 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
         row.negative = found.undamped.iter().filter(|w| w.is_nan()).count() as f64;
     }
     row.stable = if strange { None } else { verdict(&along, growth, fastest) };
+    row.degenerate = if strange { None } else { degenerate(&mut linear, &at) };
+    if let Some(Degenerate { stable, .. }) = &row.degenerate {
+        (row.stable, row.growth, row.negative) = (*stable, f64::NAN, f64::NAN);
+        // one direction less: the place is isolated in it
+        row.free = row.free.saturating_sub(1);
+    }
     Ok(row)
 }
 

@@ -6,7 +6,7 @@
 //! | all with negative real parts | stable (Lyapunov's first method) |
 //! | on the axis; C symmetric and positive definite, B without negative damping | stable (Lagrange, Dirichlet: the energy is a minimum) |
 //! | on the axis; C symmetric with a negative direction, no gyroscopic forces | unstable (Kelvin, Chetaev) |
-//! | on the axis; C singular otherwise | neutral to first order: small motions do not decide |
+//! | on the axis; C singular otherwise | neutral to first order: small motions do not decide ([`super::degenerate`] does) |
 //! | on the axis; held by gyroscopic or circulatory forces alone | small motions do not decide |
 //!
 //! Matrices are compared in coordinates in which the stiffnesses on the diagonal are 1.
@@ -77,13 +77,18 @@ fn falls(even: &[f64], n: usize) -> bool {
 
 /// The same in coordinates whose stiffnesses are alike: a soft spring beside a hard one is none the less there.
 fn scaled(along: &Matrices) -> Matrices {
+    let (n, units) = (along.n, scales(along));
+    let diagonal: Vec<f64> = (0..n * n).map(|p| if p / n == p % n { units[p / n] } else { 0.0 }).collect();
+    along.reduced(&diagonal, n)
+}
+
+/// Units of these coordinates.
+pub(super) fn scales(along: &Matrices) -> Vec<f64> {
     let n = along.n;
     let own = |i: usize| along.stiffness[i * n + i].abs();
     let row = |i: usize| largest(&along.stiffness[i * n..(i + 1) * n]);
     let size = |i: usize| [own(i), row(i), 1.0].into_iter().find(|v| *v > 0.0).unwrap_or(1.0);
-    let units: Vec<f64> = (0..n).map(|i| size(i).sqrt().recip()).collect();
-    let diagonal: Vec<f64> = (0..n * n).map(|p| if p / n == p % n { units[p / n] } else { 0.0 }).collect();
-    along.reduced(&diagonal, n)
+    (0..n).map(|i| size(i).sqrt().recip()).collect()
 }
 
 /// Directions along the surface that no stiffness resists.

@@ -1,0 +1,257 @@
+//! Places of rest at which the stiffness vanishes in a direction: what decides there is the force of higher order.
+//!
+//! Where V' has a double zero Newton's method comes to within the root of a rounding, δ ~ √ε, and finds the stiffness 2kδ there, of either sign: any verdict of
+//! small motions is one on rounding. So the force itself is followed to both sides of the place, along the direction u of each stiffness κ, with all other
+//! directions relaxed:
+//!
+//! ```text
+//! g(s) = V'(q₀ + s u + w(s)),    w such that the forces along the others vanish,    s = ... 10⁻², both signs
+//! g(s) ≈ κ s                               a stiffness like any other
+//! s g(s) > 0 on both sides                 a minimum whatever its order (x⁴):                stable, if all others are
+//! s g(s) < 0 on one side or both           the energy falls there (a fold x³, a top -x⁴):    unstable (Chetaev)
+//! g = 0 but for rounding                   a free motion
+//! ```
+//!
+//! at the smallest s where |g| is clear of its rounding, on two steps in a row. A minimum of the energy is stable (Lagrange, Dirichlet), for any order. Loads that
+//! have no energy, gyroscopic forces and two such directions at once leave it open.
+//!
+//! *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 3; the reduction to the directions that are left, K. Huseyin, Nonlinear Theory of
+//! Elastic Stability, ch. 2.
+
+use super::fall::Slope;
+use super::stability::scales;
+use crate::linear::{LinearMachine, Matrices, Place, largest, parts};
+use crate::rest::search::Statics;
+use crate::rest::sizes::Sizes;
+use algebra::eigen;
+use words::Text;
+
+/// The least and the largest displacement, of the coordinate that moves most, relative to its size; and the ratio of two that follow each other.
+const LEAST: f64 = 1e-14;
+const MOST: f64 = 0.1;
+const APART: f64 = 3.2;
+/// Displacements at which a stiffness is looked at before the force is followed.
+const LOOKS: [f64; 2] = [1e-3, 1e-6];
+/// Change of the force over a look beside what the stiffness makes of it, beyond which it is followed.
+const BENT: f64 = 30.0;
+/// The same where the force is clear of its rounding: a line is off by the rounding and by the bend of a regular place, both far less.
+const STRAIGHT: f64 = 0.5;
+/// Rounding of a force, relative to the terms that meet in it: some sums of them, and the place that is drawn onto the connections.
+const ROUNDED: f64 = 32.0 * f64::EPSILON;
+/// What is clear of rounding, in units of it. At a double zero s is then thirty times the distance that Newton's method leaves.
+const CLEAR: f64 = 1e3;
+/// Steps of the relaxation; each leaves a share like s.
+const STEPS: usize = 12;
+/// Share of the stiffness that loads without energy may have.
+const ODD: f64 = 1e-9;
+/// Most directions that are looked at.
+const DIRECTIONS: usize = 24;
+
+/// What is known of a degenerate place of rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Degenerate {
+    /// The verdict of the force of higher order; none where it leaves it open.
+    pub stable: Option<bool>,
+    /// Directions u whose stiffness is rounding, by coordinate.
+    flat: Vec<Vec<f64>>,
+}
+
+impl Degenerate {
+    /// The matrices without that rounding: C - C u uᵀ C / (uᵀ C u) for each u.
+    pub fn settle(&self, matrices: &mut Matrices) {
+        let n = matrices.n;
+        for u in &self.flat {
+            let force: Vec<f64> = matrices.stiffness.chunks(n).map(|row| row.iter().zip(u).map(|(c, u)| c * u).sum()).collect();
+            let stiffness: f64 = force.iter().zip(u).map(|(f, u)| f * u).sum();
+            if stiffness != 0.0 {
+                (0..n * n).for_each(|p| matrices.stiffness[p] -= force[p / n] * (force[p % n] / stiffness));
+            }
+        }
+    }
+}
+
+/// How the force goes in a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// Like a stiffness, or nothing at all.
+    Plain,
+    /// Against the displacement on both sides.
+    Rises,
+    /// With it on one side at least.
+    Falls,
+    /// Clear on one side only.
+    Open,
+}
+
+/// What decides at a place of rest whose stiffness vanishes in some direction; none at all others, and where a whole line of places rests.
+pub fn degenerate(machine: &mut LinearMachine, place: &Place) -> Option<Degenerate> {
+    let mut around = Around::new(machine, place)?;
+    let ways: Vec<Way> = (0..around.directions.len()).map(|j| around.way(j)).collect();
+    if ways.iter().all(|way| *way == Way::Plain) {
+        return None;
+    }
+    let flat: Vec<Vec<f64>> =
+        around.directions.iter().zip(&ways).filter(|(_, way)| **way != Way::Plain).map(|(d, _)| d.shape.clone()).collect();
+    let matrices = &around.along;
+    let (_, odd) = parts(&matrices.stiffness, matrices.n);
+    let (damping, gyroscopic) = parts(&matrices.damping, matrices.n);
+    if largest(&odd) > ODD * largest(&matrices.stiffness) || largest(&gyroscopic) > 0.0 {
+        return Some(Degenerate { stable: None, flat });
+    }
+    let others = || around.directions.iter().zip(&ways).filter(|(_, way)| **way == Way::Plain).map(|(d, _)| d.stiffness);
+    let damped = largest(&damping) == 0.0 || algebra::cholesky::positive_definite(&damping, matrices.n) != Some(false);
+    let stable = match () {
+        () if ways.contains(&Way::Falls) || others().any(|k| k < 0.0) => Some(false),
+        () if ways.iter().filter(|way| **way != Way::Plain).count() > 1 || ways.contains(&Way::Open) => None,
+        () if others().all(|k| k > 0.0) && damped => Some(true),
+        () => None,
+    };
+    Some(Degenerate { stable, flat })
+}
+
+/// What is to be said of such places.
+pub fn remark<'d>(found: impl Iterator<Item = &'d Degenerate>) -> Option<Text> {
+    let open = found.map(|d| d.stable.is_none()).reduce(|a, b| a || b)?;
+    let (en, ru) = match open {
+        true => ("and leave it open whether it is stable", "но и они не решают вопроса об устойчивости"),
+        false => ("and decide whether it is stable", "они и определяют устойчивость"),
+    };
+    Some(Text::new(
+        format!(
+            "degenerate: the stiffness vanishes in a direction at a place of rest, the forces of higher order act there alone {en}; its lowest frequency is zero but for rounding"
+        ),
+        format!(
+            "вырожденное положение равновесия: жёсткость в одном из направлений равна нулю, там действуют только силы высших порядков, {ru}; низшая частота равна нулю с точностью до округления"
+        ),
+    ))
+}
+
+/// A direction, its longest entry one size of its coordinate.
+struct Direction {
+    /// By coordinate.
+    shape: Vec<f64>,
+    stiffness: f64,
+}
+
+/// The surroundings of a place.
+struct Around<'m> {
+    machine: &'m mut LinearMachine,
+    q: Vec<f64>,
+    along: Matrices,
+    directions: Vec<Direction>,
+}
+
+impl Around<'_> {
+    fn new<'m>(machine: &'m mut LinearMachine, place: &Place) -> Option<Around<'m>> {
+        let matrices = machine.at(place).ok().filter(|m| m.drift.is_empty())?;
+        let n = matrices.n;
+        let (basis, along) = match matrices.allowed() {
+            Some((z, k)) => (Some(z.clone()), matrices.reduced(&z, k)),
+            None => (None, matrices),
+        };
+        let k = along.n;
+        if k == 0 || k > DIRECTIONS {
+            return None;
+        }
+        // alike stiffnesses on the diagonal: the eigenvectors are those of no unit
+        let units = scales(&along);
+        let even = parts(&along.stiffness, k).0;
+        let scaled: Vec<f64> = (0..k * k).map(|p| units[p / k] * even[p] * units[p % k]).collect();
+        let unit: Vec<f64> = (0..k * k).map(|p| f64::from(u8::from(p / k == p % k))).collect();
+        let found = eigen::symmetric(k, &scaled, &unit).ok()?;
+        let names: Vec<String> = machine.coordinates().iter().map(|c| c.unit.clone()).collect();
+        let sizes = Sizes::new(names.iter().map(String::as_str)).at(&[&place.q]);
+        let direction = |j: usize| {
+            let own: Vec<f64> = found.shape(j).iter().zip(&units).map(|(v, u)| v * u).collect();
+            let shape: Vec<f64> = match &basis {
+                Some(z) => (0..n).map(|i| (0..k).map(|c| z[i * k + c] * own[c]).sum()).collect(),
+                None => own,
+            };
+            let most = shape.iter().zip(&sizes).fold(0.0_f64, |m, (v, size)| m.max(v.abs() / size));
+            Direction { shape: shape.iter().map(|v| v / most).collect(), stiffness: found.values[j] / (most * most) }
+        };
+        let directions = (0..k).map(direction).collect();
+        Some(Around { machine, q: place.q.clone(), along, directions })
+    }
+
+    /// Forces along all directions at a displacement by them, with their rounding.
+    fn forces(&mut self, by: &[f64]) -> Option<Vec<[f64; 2]>> {
+        let n = self.q.len();
+        let moved = |i: usize| self.directions.iter().zip(by).map(|(d, s)| d.shape[i] * s).sum::<f64>();
+        let q: Vec<f64> = (0..n).map(|i| self.q[i] + moved(i)).collect();
+        let Slope { q, along, basis, whole } = Slope::at(self.machine, &q)?;
+        let terms = self.machine.terms();
+        let reach = |i: usize| (0..n).map(|j| (whole[i * n + j] * q[j]).abs()).sum::<f64>();
+        let sizes: Vec<f64> = (0..n).map(|i| terms[i] + reach(i)).collect();
+        // what the connections leave of the forces
+        let force: Vec<f64> = match &basis {
+            Some(z) => z.chunks(along.n.max(1)).map(|row| row.iter().zip(&along.force).map(|(z, f)| z * f).sum()).collect(),
+            None => along.force,
+        };
+        let of = |d: &Direction| {
+            let sum: f64 = d.shape.iter().zip(&force).map(|(v, f)| v * f).sum();
+            let size: f64 = d.shape.iter().zip(&sizes).map(|(v, s)| (v * s).abs()).sum();
+            [sum, ROUNDED * size]
+        };
+        Some(self.directions.iter().map(of).collect())
+    }
+
+    /// g(s) of a direction with its rounding; none where it has no value or the others find no rest.
+    fn gradient(&mut self, j: usize, s: f64) -> Option<[f64; 2]> {
+        let mut by = vec![0.0; self.directions.len()];
+        by[j] = s;
+        for _ in 0..STEPS {
+            let forces = self.forces(&by)?;
+            let rests = |(i, [f, noise]): (usize, &[f64; 2])| i == j || f.abs() <= *noise;
+            if forces.iter().enumerate().all(rests) {
+                return Some([-forces[j][0], forces[j][1]]);
+            }
+            for (i, [f, _]) in forces.iter().enumerate().filter(|(i, _)| *i != j) {
+                by[i] += f / self.directions[i].stiffness;
+            }
+            if !by.iter().all(|v| v.is_finite()) {
+                return None;
+            }
+        }
+        None
+    }
+
+    fn way(&mut self, j: usize) -> Way {
+        let stiffness = self.directions[j].stiffness;
+        let straight = |around: &mut Self, s: f64| {
+            let [there, here] = [around.gradient(j, s), around.gradient(j, -s)];
+            let off =
+                |g: Option<[f64; 2]>, s: f64| g.is_none_or(|[g, noise]| (g - stiffness * s).abs() > BENT * (stiffness * s).abs() + noise);
+            !off(there, s) && !off(here, -s)
+        };
+        if LOOKS.iter().all(|s| straight(self, *s)) {
+            return Way::Plain;
+        }
+        self.follow(j)
+    }
+
+    /// The force on both sides, from near the place on.
+    fn follow(&mut self, j: usize) -> Way {
+        let stiffness = self.directions[j].stiffness;
+        let (mut before, mut open, mut s) = (None, false, LEAST);
+        while s <= MOST {
+            let sides = [s, -s].map(|s| self.gradient(j, s).map(|[g, noise]| (if g.abs() > CLEAR * noise { g } else { 0.0 }, s)));
+            let [Some(there), Some(here)] = sides else { return if open { Way::Open } else { Way::Plain } };
+            let sides = [there, here];
+            let falls = sides.iter().any(|(g, s)| g * s < 0.0);
+            let clear = sides.iter().all(|(g, _)| *g != 0.0);
+            open |= sides.iter().any(|(g, _)| *g != 0.0);
+            let found = match () {
+                () if clear && sides.iter().all(|(g, s)| (g - stiffness * s).abs() <= STRAIGHT * (stiffness * s).abs()) => Some(Way::Plain),
+                () if falls => Some(Way::Falls),
+                () if clear => Some(Way::Rises),
+                () => None,
+            };
+            if let Some(way) = found.filter(|_| found == before) {
+                return way;
+            }
+            (before, s) = (found, APART * s);
+        }
+        if open { Way::Open } else { Way::Plain }
+    }
+}
