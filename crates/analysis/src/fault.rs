@@ -12,7 +12,7 @@ mod change_points;
 pub mod connections;
 pub mod contacts;
 pub mod loads;
-pub(crate) mod small;
+pub mod small;
 
 /// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
 /// results stay small.

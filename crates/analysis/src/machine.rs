@@ -410,6 +410,11 @@ impl System for Machine {
         self.sharing.seen.get(&output).map(|guards| &guards[..])
     }
 
+    fn moves_otherwise(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> bool {
+        self.observing.set(modes, &self.bound);
+        self.imposed.is_none() && self.shares_move(t, x).unwrap_or(false)
+    }
+
     fn show(&mut self, wanted: &[usize]) -> Result<(), Fault> {
         if self.shown == wanted {
             return Ok(());

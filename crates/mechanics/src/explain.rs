@@ -337,10 +337,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     ),
     row(
         "M035",
-        ("a unit without brackets in a formula", "единица без скобок в формуле"),
+        ("a number and what follows without a sign", "число и следующее за ним без знака"),
         (
-            "Inside a formula a unit stands in square brackets after its number; letters alone are names.",
-            "Внутри формулы единица стоит в квадратных скобках после числа; просто буквы — это имена.",
+            "Inside a formula a unit stands in square brackets after its number, and a product has its sign: 2*phi. Letters alone are names. Powers of ten are written 1e3.",
+            "Внутри формулы единица стоит в квадратных скобках после числа, а произведение записывают со знаком: 2*phi. Просто буквы — это имена. Степени десяти пишут так: 1e3.",
         ),
         "30 rad/s^2 * t",
         "30 [rad/s^2] * t",
@@ -470,8 +470,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M056",
         ("zero or negative stiffness or damping", "нулевая или отрицательная жёсткость либо коэффициент сопротивления"),
         (
-            "A zero element does nothing; a negative one feeds energy into the motion. Both are allowed, but seldom meant.",
-            "Нулевой элемент не действует, отрицательный раскачивает движение. То и другое допустимо, но редко имеется в виду.",
+            "A zero element does nothing. A negative stiffness pushes away from the place where its force vanishes; a negative damping feeds energy into the motion. All this is allowed, but seldom meant.",
+            "Нулевой элемент не действует. При отрицательной жёсткости усилие направлено от положения, где оно равно нулю; отрицательный коэффициент сопротивления подводит к движению энергию. Всё это допустимо, но редко имеется в виду.",
         ),
         "stiffness = \"-4 kN/m\"",
         "stiffness = \"4 kN/m\"",

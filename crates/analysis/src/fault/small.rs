@@ -32,3 +32,23 @@ pub(crate) fn rounded_away(what: Text) -> Fault {
         ),
     })
 }
+
+/// A fault of a formula as that of an output that has no slope at a place of rest.
+pub fn no_slope(output: &str, fault: &Fault) -> Fault {
+    let what = &fault.message.what;
+    Fault::new(Message {
+        code: fault.code,
+        what: Text::new(
+            format!("the output `{output}` has no slope at the place of rest: {}", what.en),
+            format!("у величины `{output}` в положении равновесия нет производных: {}", what.ru),
+        ),
+        why: Text::new(
+            "small motions show what is smooth there; a distance from the place itself, or an angle about it, is not",
+            "малые движения показывают лишь гладкие величины; расстояние от самого положения и угол вокруг него таковыми не являются",
+        ),
+        help: Text::new(
+            "leave it out of `outputs`, or use `simulate` or `periodic`",
+            "исключите её из `outputs` либо примените `simulate` или `periodic`",
+        ),
+    })
+}

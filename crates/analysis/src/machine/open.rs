@@ -161,6 +161,38 @@ impl Machine {
         Ok(self.observed.evaluate(&point)?.to_vec())
     }
 
+    /// See [`crate::System::moves_otherwise`]: whether a direction in which the reactions balance by themselves changes what frictions that slide under them do.
+    pub(super) fn shares_move(&mut self, t: f64, x: &[f64]) -> Result<bool, Fault> {
+        if !self.may_share() {
+            return Ok(false);
+        }
+        self.solve_any(t, x)?;
+        let program = self.bound.program();
+        let reactions = self.accelerations[program.coordinates..].to_vec();
+        let laws = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
+        let shares = self.balances.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
+        let Some(conditions) = &mut self.conditions else { return Ok(false) };
+        conditions.evaluate(t, x)?;
+        let modes = &self.observing.modes;
+        let acting = conditions.acting(modes, &program.hidden);
+        let sliding = conditions.sliding(modes, (&laws, &reactions), &self.sharing);
+        let ways = |sliding: &[Sliding]| acting.iter().map(|a| with_sliding(a.reaction, program.reactions, sliding)).collect::<Vec<_>>();
+        let effects = |ways: Vec<Vec<f64>>| ways.iter().map(|way| conditions.effect(way, &shares)).collect::<Vec<_>>();
+        let rubbing = effects(ways(&sliding));
+        let free = null_space(&effects(ways(&[])));
+        if sliding.is_empty() || free.is_empty() {
+            return Ok(false);
+        }
+        let hold = hold(&acting, free, (&reactions, &laws), (conditions, &self.sharing));
+        let moves = |z: &Vec<f64>| {
+            (0..conditions.n).any(|i| {
+                let terms = || z.iter().zip(&rubbing).map(|(z, effect)| z * effect[i]);
+                terms().sum::<f64>().abs() > NOTHING * terms().map(f64::abs).sum::<f64>()
+            })
+        };
+        Ok(unpinned(&hold).iter().any(moves))
+    }
+
     /// What acts, and the directions in which reactions or impulses of these values are open, by reaction; none where all are unique.
     pub(super) fn open_directions(&mut self, (t, x): (f64, &[f64]), reactions: &[f64]) -> Result<Option<Open>, Fault> {
         let laws = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();

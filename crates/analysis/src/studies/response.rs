@@ -148,6 +148,11 @@ pub fn phase(z: Complex) -> f64 {
     elementary::atan2(z.1, z.0)
 }
 
+/// Whether an output's own wave is one.
+fn oscillates((rate, cos, sin): &(f64, f64, f64)) -> bool {
+    *rate != 0.0 && (*cos != 0.0 || *sin != 0.0)
+}
+
 /// Loads below this share of the largest are no component.
 const SILENT: f64 = 1e-13;
 /// Orders that differ by this share are one.
@@ -373,10 +378,15 @@ impl<'m> Forced<'m> {
         let largest =
             // equal entries differ by rounding: the first of them counts
             load.iter().fold((0.0, 0.0), |best: Complex, z| if magnitude(*z) > magnitude(best) * (1.0 + 1e-12) { *z } else { best });
-        if magnitude(largest) == 0.0 {
-            return Err(no_load());
-        }
-        self.from_sine = largest.1.abs() > largest.0.abs();
+        let (cos, sin) = match magnitude(largest) > 0.0 {
+            true => largest,
+            false => {
+                let seen = self.machine.observe(&self.observer, &self.place)?;
+                let wave = seen.iter().flat_map(|seen| &seen.waves).find(|wave| oscillates(wave)).copied().ok_or_else(no_load)?;
+                (wave.1, wave.2)
+            }
+        };
+        self.from_sine = sin.abs() > cos.abs();
         Ok(())
     }
 
@@ -428,6 +438,7 @@ impl<'m> Forced<'m> {
         };
         let rates = self.form_rates()?;
         Ok(match &self.source {
+            Source::OfEquations if matrices.loads.is_empty() && matrices.shaped.is_empty() => self.borne(n)?,
             Source::OfEquations => Excitation {
                 waves: matrices.loads.iter().map(|l| (Some(l.rate), complex(l.rate, &l.cos, &l.sin))).collect(),
                 shaped: matrices.shaped.iter().map(|(form, f)| (*form, rates[*form], f.clone())).collect(),
@@ -446,6 +457,20 @@ impl<'m> Forced<'m> {
                 Excitation { waves: vec![(None, unit)], shaped: Vec::new() }
             }
         })
+    }
+
+    /// Loads that move nothing, as supports bear them alone: the rates at which outputs over the reactions oscillate by themselves.
+    fn borne(&self, n: usize) -> Result<Excitation, Fault> {
+        let mut waves: Vec<(Option<f64>, Vec<Complex>)> = Vec::new();
+        for (rate, ..) in
+            self.machine.observe(&self.observer, &self.place)?.iter().flat_map(|seen| &seen.waves).filter(|wave| oscillates(wave))
+        {
+            let known = |(other, _): &(Option<f64>, Vec<Complex>)| other.is_some_and(|w| (w.abs() - rate.abs()).abs() <= SAME * rate.abs());
+            if !waves.iter().any(known) {
+                waves.push((Some(*rate), vec![(0.0, 0.0); n]));
+            }
+        }
+        Ok(Excitation { waves, shaped: Vec::new() })
     }
 
     /// Rates of the waveforms.
@@ -645,15 +670,10 @@ fn no_load() -> Fault {
             "вдоль координат не действует ни сила, ни момент, ни движение основания вида A sin(p*t) или A cos(p*t) (нагрузка, целиком воспринимаемая опорами, ничего не движет), либо амплитуда равна нулю",
         ),
         help: Text::new(
-            "name a load: load = \"x\" puts a unit load on the coordinate x",
-            "укажите нагрузку: load = \"x\" — единичная нагрузка по координате x",
+            "name a load: load = \"x\" puts a unit load on the coordinate x; a reaction that bears the load alone is shown when it is named in outputs",
+            "укажите нагрузку: load = \"x\" — единичная нагрузка по координате x; реакция, целиком воспринимающая нагрузку, приводится, если указана в outputs",
         ),
     })
-}
-
-/// There is no harmonic load.
-pub fn without_load() -> Fault {
-    no_load()
 }
 
 /// The loads are not periodic.

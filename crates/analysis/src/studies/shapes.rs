@@ -114,6 +114,9 @@ pub struct Modes {
 
 pub(super) type Remark = Box<dyn Fn(usize) -> Text>;
 
+/// Share of a shape in the metric of the masses below which an entry that is rounding of the largest is none.
+const FELT: f64 = 1e-10;
+
 /// Scales a shape; a remark when it cannot be scaled as asked.
 pub(super) fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Option<Remark> {
     let n = mode.shape.len();
@@ -148,9 +151,11 @@ pub(super) fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Op
         }
     };
     mode.shape.iter_mut().for_each(|z| *z = divided(*z, divisor));
-    // some ten units of the last place of the largest entry
+    // some ten units of the last place of the largest entry, where it is nothing by its energy too: a heavy body beside a light one moves by so little
     let noise = 1e-14 * mode.shape.iter().map(size).fold(0.0, f64::max);
-    for z in &mut mode.shape {
+    let heavy = |i: usize| mass[i * n + i].max(0.0).sqrt();
+    let felt = FELT * (0..n).map(|i| heavy(i) * size(&mode.shape[i])).fold(0.0, f64::max);
+    for (_, z) in mode.shape.iter_mut().enumerate().filter(|(i, z)| heavy(*i) * size(z) <= felt) {
         if z.0.abs() < noise {
             z.0 = 0.0;
         }

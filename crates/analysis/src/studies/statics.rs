@@ -146,7 +146,9 @@ impl System {
         // a reaction that rounding of the others makes up is zero
         let unit = |k: usize| equations.reactions[self.unknowns[k]].unit.as_str();
         let largest = |k: usize| kept.iter().zip(&solution).filter(|(j, _)| unit(**j) == unit(k)).fold(0.0_f64, |m, (_, v)| m.max(v.abs()));
-        let tidy = |k: usize, v: f64| if v.abs() <= NOISE * largest(k) { 0.0 } else { v };
+        // rows are scaled, so that forces and moments compare: what the elimination leaves of the largest in every unknown is nothing
+        let loads = self.right.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let tidy = |k: usize, v: f64| if v.abs() <= (NOISE * largest(k)).max(f64::EPSILON * loads) { 0.0 } else { v };
         kept.iter().zip(&solution).for_each(|(&k, v)| values[k] = Some(tidy(k, *v)));
         for (k, shares) in &relations {
             values[*k] = None;

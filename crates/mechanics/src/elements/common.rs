@@ -106,20 +106,26 @@ pub(super) fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, va
             "M056",
             fields.span_of(key),
             format!("the {key} of {} is zero: this {} does nothing", fields.path, kind.0),
-            format!("{key} в {} равно нулю: {} не действует", fields.path, kind.1),
+            format!("значение {key} в {} равно нулю: {} не действует", fields.path, kind.1),
         )
     } else {
         let value = words::digits::typed(v);
+        let why = match key {
+            "stiffness" => (
+                "it pushes away from the place where its force vanishes instead of pulling back",
+                "усилие направлено не к положению, где оно равно нулю, а от него",
+            ),
+            _ => {
+                ("it feeds energy into the motion instead of taking it away", "такой элемент не отнимает энергию у движения, а подводит её")
+            }
+        };
         Notice::piece(
             "M056",
             fields.span_of(key),
             format!("the {key} of {} is negative ({})", fields.path, value.en),
-            format!("{key} в {} отрицательно ({})", fields.path, value.ru),
+            format!("значение {key} в {} отрицательно ({})", fields.path, value.ru),
         )
-        .why(
-            "it feeds energy into the motion instead of restoring or damping it",
-            "такой элемент не возвращает и не гасит движение, а раскачивает его",
-        )
+        .why(why.0, why.1)
     };
     reader.fault(fault.warning());
 }

@@ -146,7 +146,7 @@ fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> O
     if let Some(number) = reader.number_for(&value, Reliance::Sign).filter(|v| *v < 0.0) {
         let (en, ru) = (format!("the backlash is {number}; it is not negative"), format!("зазор равен {number}; он не отрицателен"));
         reader.fault(Notice::piece("M088", fields.span_of("backlash"), en, ru));
-    } else if fields.has("preload") {
+    } else if fields.has("preload") && !reader.builder.graph.is_zero(value.expr) {
         reader.fault(
             Notice::piece(
                 "M088",

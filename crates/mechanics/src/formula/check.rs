@@ -194,15 +194,19 @@ impl Pass<'_> {
             );
         }
         if matches!(entry.kind, EntryKind::Output(_)) && !self.context.outputs {
-            return self.fail(
-                Notice::piece(
-                    "M037",
-                    span.clone(),
-                    format!("`{name}` is an output; outputs can be used in outputs only"),
-                    format!("`{name}` — выходная величина; её можно использовать только в [outputs]"),
-                )
-                .help(format!("move `{name}` to [parameters]"), format!("перенесите `{name}` в [parameters]")),
+            let fault = Notice::piece(
+                "M037",
+                span.clone(),
+                format!("`{name}` is an output; outputs can be used in outputs only"),
+                format!("`{name}` — выходная величина; её можно использовать только в [outputs]"),
             );
+            return self.fail(match entry.depends.is_constant() {
+                true => fault.help(format!("move `{name}` to [parameters]"), format!("перенесите `{name}` в [parameters]")),
+                // parameters know nothing of the motion
+                false => {
+                    fault.help(format!("write the formula of `{name}` here"), format!("запишите здесь саму формулу величины `{name}`"))
+                }
+            });
         }
         self.derived(name, &entry, primes, span)
     }

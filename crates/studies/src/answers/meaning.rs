@@ -41,7 +41,12 @@ const UNITS: [(&str, &str); 29] = [
 
 /// The SI unit of a number of a study by its path; none where only the study can tell.
 pub fn by_name(path: &str) -> Option<&'static str> {
-    let last = path.rsplit('.').next().unwrap_or(path);
+    let mut words = path.rsplit('.');
+    let last = words.next().unwrap_or(path);
+    // `work.M`: M is a motor, whatever its name means elsewhere
+    if words.next() == Some("work") {
+        return Some("J");
+    }
     UNITS.iter().find(|(name, _)| *name == last).map(|(_, unit)| *unit)
 }
 

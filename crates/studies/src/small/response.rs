@@ -23,6 +23,7 @@ use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
 use analysis::studies::rest::branch::{Branch, Change};
 use analysis::studies::rest::changes;
+use analysis::studies::rest::degenerate;
 use analysis::studies::superposition::{self, Care, Superposed};
 use analysis::studies::swings::judged;
 use analysis::studies::tracks::tracks;
@@ -125,7 +126,8 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
         false => about_rest(machine, &study.guess),
     };
     let mut data = Dataset::default();
-    let trouble = small.and_then(|small| sweep(machine, study, small, (&mut out, &mut data))).err().map(Notice::from);
+    let found = small.and_then(|small| sweep(machine, study, small, (&mut out, &mut data)));
+    let trouble = found.err().map(|fault| Notice::from(of_output(machine, study, fault)));
     data.partial |= trouble.is_some();
     Results {
         kind: NAME,
@@ -136,6 +138,23 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
         trouble,
         body: Body::Own(Arc::new(out)),
         ..Results::default()
+    }
+}
+
+/// A fault of a formula, as that of the output that has no slope at the place of rest (a distance from it, an angle about it); others as they are.
+fn of_output(machine: &Machine, study: &Study, fault: Fault) -> Fault {
+    if !fault.code.starts_with('P') {
+        return fault;
+    }
+    let Ok(mut small) = about_rest(machine, &study.guess) else { return fault };
+    let (quantities, formulas) = observed(study, &machine.equations);
+    let mut has_none = |formula: &symbolic::Expr| {
+        let seen = small.machine.observer(std::slice::from_ref(formula), None).and_then(|o| small.machine.observe(&o, &small.place));
+        seen.is_err()
+    };
+    match quantities.iter().zip(&formulas).find(|(_, formula)| has_none(formula)) {
+        Some((quantity, _)) => analysis::fault::small::no_slope(&quantity.name, &fault),
+        None => fault,
     }
 }
 
@@ -167,6 +186,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     let (quantities, formulas) = observed(study, &machine.equations);
     refuse_open(machine, &quantities)?;
     let mut notes = remarks(machine, &small);
+    notes.extend(degenerate::remark(degenerate::degenerate(&mut small.machine, &small.place).iter()));
     let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
     let load = (source.clone(), parameter);
@@ -488,8 +508,9 @@ fn parts(applied: &Applied) -> LoadParts {
 
 /// The parameter that sets the rates of the loads.
 fn choose(study: &Study, small: &Small, rates: &[Expr]) -> Result<Option<usize>, Fault> {
+    // what supports alone bear may still show in their reactions
     if rates.is_empty() {
-        return Err(forced::without_load());
+        return Ok(None);
     }
     let mut all: Vec<usize> = rates.iter().flat_map(|r| parameters_of(small, *r)).collect();
     all.sort_unstable();

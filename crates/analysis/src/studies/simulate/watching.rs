@@ -37,7 +37,7 @@ impl Run {
         self.ledger.look(step, system, length);
         self.friction.look(step, system, length);
         self.touches.look(step, system, length);
-        self.shared.look(system, &step.modes);
+        self.shared.look(system, step);
         if let Some(stop) = &stop {
             self.ended = Some((step.instant(stop.tau).high, stop.event));
         }

@@ -53,7 +53,7 @@ fn no_frequency(span: Range<usize>) -> Notice {
 pub(super) fn ascending<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Option<[f64; 2]> {
     let [from, to] = range(reader, value, wanted)?;
     if to <= from {
-        reader.fault(bad_range(value.span(), from, to));
+        reader.fault(descending(value.span(), [from, to]));
     }
     (to > from).then_some([from, to])
 }
@@ -61,8 +61,10 @@ pub(super) fn ascending<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wante
 /// Two frequencies, the first smaller and not negative, rad/s.
 pub(super) fn band<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<[f64; 2]> {
     let [from, to] = range(reader, value, Some(&Dimension::ANGULAR_RATE))?;
-    if from < 0.0 || to <= from {
-        reader.fault(bad_range(value.span(), from, to));
+    if to <= from {
+        reader.fault(descending(value.span(), [from, to]));
+    } else if from < 0.0 {
+        reader.fault(negative(value.span(), from));
     }
     Some([from, to])
 }
@@ -84,10 +86,26 @@ pub(super) fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> 
     None
 }
 
-fn bad_range(span: Range<usize>, from: f64, to: f64) -> Notice {
-    Notice::piece("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
-        .why("it must ascend, and frequencies are not negative", "границы должны возрастать, а частоты неотрицательны")
-        .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]")
+fn descending(span: Range<usize>, [from, to]: [f64; 2]) -> Notice {
+    let [a, b] = [from, to].map(words::digits::typed);
+    Notice::piece(
+        "M093",
+        span,
+        format!("a range ascends, and {} ... {} does not (SI)", a.en, b.en),
+        format!("границы диапазона должны возрастать, а заданы {} ... {} (СИ)", a.ru, b.ru),
+    )
+    .help("write the smaller end first, then the larger one", "укажите сначала меньшую границу, затем большую")
+}
+
+fn negative(span: Range<usize>, from: f64) -> Notice {
+    let a = words::digits::typed(from);
+    Notice::piece(
+        "M093",
+        span,
+        format!("frequencies are not negative, and the range begins at {} rad/s", a.en),
+        format!("частоты неотрицательны, а диапазон начинается с {} рад/с", a.ru),
+    )
+    .help("begin at 0 or at a frequency above it", "начните с 0 или с положительной частоты")
 }
 
 /// Two quantities.
@@ -100,7 +118,7 @@ fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dime
     if n != 2 {
         reader.fault(
             Notice::piece("M093", value.span(), format!("a range has two ends, {n} given"), format!("у диапазона две границы, дано: {n}"))
-                .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]"),
+                .help("write the smaller and the larger end: [from, to]", "укажите меньшую и большую границы: [от, до]"),
         );
     }
     None
