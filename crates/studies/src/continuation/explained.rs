@@ -51,4 +51,14 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
             "Время входит в уравнения, поэтому положений равновесия нет. Расчёт `continue` прослеживает периодические движения, если указан их период: period = \"2*pi/w\".",
         ),
     ),
+    plain(
+        "S155",
+        ("rest under contacts or dry friction", "равновесие при контактах или сухом трении"),
+        (
+            "Dry friction lets a machine rest in whole ranges of places, and a contact may close or open along the parameter: there is no single branch. The study `equilibrium` names the ranges, `strutt sweep` repeats it over \
+             the parameter and follows contacts. Periodic motions with contacts and friction are followed by `continue` with a `period` or `section`.",
+            "При сухом трении машина может покоиться в целых областях положений, а контакт вдоль параметра может замкнуться или разомкнуться: единственной ветви нет. Области называет расчёт `equilibrium`, \
+             `strutt sweep` повторяет его по параметру и учитывает контакты. Периодические движения с контактами и трением `continue` прослеживает, если задать `period` или `section`.",
+        ),
+    ),
 ];

@@ -208,6 +208,7 @@ fn end_in_words(machine: &Machine, end: &End) -> Text {
         End::Joins => text("it joins another branch", "ветвь приходит на другую ветвь"),
         End::Points => text("the number of points is used up (`points`)", "исчерпано число точек (`points`)"),
         End::Interrupted => text("interrupted", "прервано"),
+        End::Rests => text("the motion shrinks to a place of rest", "движение стягивается к положению равновесия"),
         End::Grazes => text(
             "a switch is only touched there (grazing), and what lies beyond does not follow from it",
             "переключение там лишь едва достигается (касание), и продолжение из него не следует",

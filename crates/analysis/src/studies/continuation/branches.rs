@@ -6,9 +6,10 @@ use super::diagram::{Diagram, Options, SAME, Work, followed};
 use super::orbits::Orbits;
 use super::places::Rests;
 use super::switching;
-use super::zeros::{Family, Zeros};
+use super::zeros::{Family, Place, Zeros};
 use crate::Fault;
 use crate::studies::periodic::{Periodic, Shooting};
+use algebra::elementary;
 
 /// Periodic motions along a parameter, from the one that `start` leads to at the value where the diagram begins.
 ///
@@ -52,6 +53,16 @@ pub fn rests(family: &mut dyn Family, start: &[f64], options: &Options<'_>) -> R
     Ok(diagram)
 }
 
+/// Distance from 1 at which a multiplier is 1: half of the digits of a turn, for a double root.
+const FAMILY: f64 = 1e-7;
+
+/// Whether a multiplier besides that of the shift is 1: neighbouring motions close as well.
+fn one_of_a_family(place: &Place) -> bool {
+    let numbers = place.facts().multipliers.iter().flatten();
+    let mut own = numbers.filter(|m| !m.trivial);
+    own.any(|m| elementary::hypot(m.re - 1.0, m.im) <= m.error.max(FAMILY))
+}
+
 /// The branch through a point, in both directions.
 pub(super) fn whole(zeros: &mut dyn Zeros, y: Vec<f64>, of: Of, (options, diagram): (&Options<'_>, &mut Diagram)) -> Result<(), Fault> {
     let last = y.len() - 1;
@@ -64,7 +75,16 @@ pub(super) fn whole(zeros: &mut dyn Zeros, y: Vec<f64>, of: Of, (options, diagra
         }
         let direction: Vec<f64> = (0..=last).map(|i| if i == last { sign * (options.to - options.from) } else { 0.0 }).collect();
         let start = corrector::place(zeros, y.clone(), &direction)?.ok_or_else(switching::no_direction)?;
+        if of != Of::Rest && one_of_a_family(&start) {
+            return Err(switching::no_direction());
+        }
         let curve = followed(zeros, start, options, diagram);
+        // what the file says of the period is wrong, and not the branch
+        if let Some(End::Stuck(_, Some(fault))) = &curve.ends[1]
+            && fault.code == "S150"
+        {
+            return Err(fault.clone());
+        }
         known = Some(match known {
             Some(before) => before.then(curve),
             None if sign < 0.0 => Curve { ends: [Some(End::Left), curve.ends[1].clone()], ..curve }.turned(),

@@ -40,6 +40,8 @@ pub enum End {
     Joins,
     /// It has as many points as were asked for.
     Points,
+    /// The motion shrinks to a place of rest.
+    Rests,
     /// A switch is only touched there, and what lies beyond does not follow from it.
     Grazes,
     /// No step leads further: how small the last one was, and why, where the equations say so.
@@ -74,6 +76,15 @@ pub enum Of {
 }
 
 impl Curve {
+    /// Ends at its last special point, at which a motion shrinks to a place of rest: what seems to go on there are the same motions again.
+    fn rest_there(&mut self) {
+        if let Some((_, special)) = self.special.last_mut() {
+            special.what = What::Hopf;
+            self.places.push(special.place.clone());
+        }
+        self.ends[1] = Some(End::Rests);
+    }
+
     /// The same from its end to its beginning.
     pub(super) fn turned(mut self) -> Curve {
         let last = self.places.len();
@@ -158,8 +169,14 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
                     return curve;
                 }
             }
-            Tried::Done(b, events, steps, side) => {
+            Tried::Done(b, mut events, steps, side) => {
                 let place = curve.places.len();
+                if let Some(first) = events.iter().position(|e| rests(&e.special.place)) {
+                    events.truncate(first + 1);
+                    curve.special.extend(events.into_iter().map(|e| (place, e.special)));
+                    curve.rest_there();
+                    return curve;
+                }
                 let joins = events.iter().any(|e| known(&e.special));
                 curve.special.extend(events.into_iter().map(|e| (place, e.special)));
                 let closed = curve.places.len() > 3 && closes(&start, &a, &b);
@@ -180,6 +197,15 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
         }
     }
     curve
+}
+
+/// Extent of a motion, as a share of what it has been on its branch, that is none: a branch point is known to the root of rounding.
+const SHRUNK: f64 = 1e-4;
+
+/// Whether a free motion has shrunk to a place of rest.
+fn rests(place: &Place) -> bool {
+    let small = |([low, high], scale): (&[f64; 2], &f64)| high - low <= SHRUNK * scale;
+    place.local.phase.is_some() && place.local.facts.extremes.iter().zip(&place.local.scales).all(small)
 }
 
 /// Steps beyond the end of a branch at which the motion is looked at: from what corrections resolve to what a straight way is good for.

@@ -7,7 +7,7 @@
 
 use super::zeros::{Facts, Family, Local, Sort, Zeros};
 use crate::Fault;
-use crate::studies::periodic::{Shooting, Turned};
+use crate::studies::periodic::{Shooting, Turned, Varied};
 use crate::studies::stability::{Verdict, verdict};
 use words::{Message, Text};
 
@@ -66,6 +66,41 @@ fn missed(turned: &Turned<'_>, y: &[f64], near: &Local) -> Vec<f64> {
     gap
 }
 
+/// Free directions of the start, then the period of a free motion and the parameter, as changes of all unknowns in scales.
+fn directions(varied: &Varied, scales: &[f64], unknowns: usize) -> Vec<Vec<f64>> {
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    for (column, &j) in varied.basis.iter().zip(&varied.states) {
+        let mut whole: Vec<f64> = column.iter().zip(scales).map(|(c, s)| c * scales[j] / s).collect();
+        whole.resize(unknowns, 0.0);
+        basis.push(whole);
+    }
+    for i in varied.rates.len()..unknowns {
+        basis.push((0..unknowns).map(|l| if l == i { 1.0 } else { 0.0 }).collect());
+    }
+    basis
+}
+
+/// Rows by the states that return and the phase of a free motion, columns by the directions, in scales.
+fn jacobian(varied: &Varied, local: &Local, by_parameter: &[f64]) -> Vec<f64> {
+    let (k, columns, n) = (varied.states.len(), local.basis.len(), varied.rates.len());
+    let mut jacobian = vec![0.0; (columns - 1) * columns];
+    for (i, &state) in local.states.iter().enumerate() {
+        for j in 0..k {
+            jacobian[i * columns + j] = varied.matrix[i * k + j] - if i == j { 1.0 } else { 0.0 };
+        }
+        if local.phase.is_some() {
+            jacobian[i * columns + k] = varied.rates[state] * local.scales[n] / local.scales[state];
+        }
+    }
+    if let Some((rates, _)) = &local.phase {
+        for (j, column) in local.basis.iter().take(k).enumerate() {
+            jacobian[k * columns + j] = rates.iter().zip(column).zip(&local.scales).map(|((r, b), s)| r / s * b).sum();
+        }
+    }
+    by_parameter.iter().enumerate().for_each(|(i, value)| jacobian[(i + 1) * columns - 1] = *value);
+    jacobian
+}
+
 impl Zeros for Orbits<'_, '_> {
     fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
         let mut turned = self.turn(y)?;
@@ -80,18 +115,8 @@ impl Zeros for Orbits<'_, '_> {
         turned.rescale(self.shooting.scales());
         let varied = self.shooting.vary(machine, &mut turned)?;
         let scales = self.scales();
-        let k = varied.states.len();
-        let mut basis: Vec<Vec<f64>> = Vec::new();
-        for (column, &j) in varied.basis.iter().zip(&varied.states) {
-            let mut whole: Vec<f64> = column.iter().zip(&scales).map(|(c, s)| c * scales[j] / s).collect();
-            whole.resize(y.len(), 0.0);
-            basis.push(whole);
-        }
-        let free = last - n;
-        for i in 0..=free {
-            basis.push((0..y.len()).map(|l| if l == n + i { 1.0 } else { 0.0 }).collect());
-        }
-        let phase = (free == 1).then(|| {
+        let basis = directions(&varied, &scales, y.len());
+        let phase = (last > n).then(|| {
             let size = varied.rates.iter().zip(&scales).map(|(r, s)| (r / s) * (r / s)).sum::<f64>().sqrt();
             (varied.rates.iter().map(|r| r / size).collect::<Vec<f64>>(), y[..n].to_vec())
         });
@@ -114,24 +139,9 @@ impl Zeros for Orbits<'_, '_> {
         let mut there = y.to_vec();
         there[last] += STEP * self.range;
         let there = self.off(&there, &local)?;
-        let columns = local.basis.len();
-        let mut jacobian = vec![0.0; (columns - 1) * columns];
-        for i in 0..k {
-            for j in 0..k {
-                jacobian[i * columns + j] = varied.matrix[i * k + j] - if i == j { 1.0 } else { 0.0 };
-            }
-            if free == 1 {
-                let state = local.states[i];
-                jacobian[i * columns + k] = varied.rates[state] * local.scales[n] / local.scales[state];
-            }
-            jacobian[i * columns + columns - 1] = (there[i] - here[i]) / STEP;
-        }
-        if let Some((rates, _)) = &local.phase {
-            for j in 0..k {
-                jacobian[k * columns + j] = rates.iter().zip(&local.basis[j]).zip(&local.scales).map(|((r, b), s)| r / s * b).sum();
-            }
-        }
-        (local.jacobian, local.residual) = (jacobian, here);
+        let by_parameter: Vec<f64> = here.iter().zip(&there).map(|(here, there)| (there - here) / STEP).collect();
+        local.jacobian = jacobian(&varied, &local, &by_parameter);
+        local.residual = here;
         Ok(local)
     }
 

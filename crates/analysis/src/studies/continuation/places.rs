@@ -5,9 +5,8 @@
 //! ```
 
 use super::zeros::{Facts, Family, Local, Sort, Zeros};
-use crate::integrate::taylor::{Flow, Options as Tolerances};
 use crate::studies::periodic::{Multiplier, tangent_of};
-use crate::{Fault, Machine, Mode, System};
+use crate::{Fault, GuardKind, Machine, Mode, System};
 use algebra::eigen::general;
 use words::{Message, Text};
 
@@ -19,6 +18,8 @@ const SMALL: f64 = 1e-3;
 const ROUNDING: f64 = 1e-11;
 /// Frequencies that differ by less than this share of the largest root may be one: a double root is known to the root of rounding.
 const APART: f64 = 1e-6;
+/// Instants at which the laws are asked for time, s: a load may rest at one of them.
+const INSTANTS: [f64; 4] = [0.0, 0.37, 1.9, 11.3];
 /// Corrections from a start to the first place.
 const CORRECTIONS: usize = 60;
 /// A correction below this, in scales, has arrived.
@@ -27,39 +28,47 @@ const ENOUGH: f64 = 1e-13;
 /// Places of rest of a machine along its parameter.
 pub(super) struct Rests<'f> {
     pub(super) family: &'f mut dyn Family,
-    /// Switch positions at rest.
-    modes: Vec<Mode>,
     /// Sizes of the states.
     sizes: Vec<f64>,
     range: f64,
     evaluations: usize,
 }
 
+/// Switch positions at a state, by the values of their formulas.
+fn modes(machine: &mut Machine, x: &[f64]) -> Vec<Mode> {
+    machine.modes_by_value(0.0, x).unwrap_or_else(|| vec![Mode::Positive; machine.guards().len()])
+}
+
 /// Rates of the states at rest.
-fn rates(machine: &mut Machine, x: &[f64], modes: &[Mode]) -> Result<Vec<f64>, Fault> {
-    machine.expand(0.0, x, modes, 1)?;
+fn rates(machine: &mut Machine, x: &[f64]) -> Result<Vec<f64>, Fault> {
+    let modes = modes(machine, x);
+    machine.expand(0.0, x, &modes, 1)?;
     Ok((0..x.len()).map(|i| machine.state(i)[1]).collect())
 }
 
 impl<'f> Rests<'f> {
     /// The machine near a start, which need not be at rest.
     ///
-    /// *Errors*: S154 where time occurs in the equations, and those of the start.
+    /// *Errors*: S154 where time occurs in the equations, S155 where contacts or dry friction hold.
     pub(super) fn new(family: &'f mut dyn Family, start: &[f64], value: f64, range: f64) -> Result<Rests<'f>, Fault> {
         let (machine, _) = family.at(value)?;
         let n = machine.n_coordinates();
         let mut x = start.to_vec();
         x[n..2 * n].fill(0.0);
-        let modes = Flow::start(machine, 0.0, &x, &Tolerances::default())?.modes().to_vec();
-        let mut rows = Vec::new();
-        machine.slopes(0.0, &x, &modes, &mut rows)?;
-        let width = x.len() + 1;
-        if (0..x.len()).any(|i| rows[i * width + x.len()] != 0.0) {
-            return Err(driven());
+        if machine.guards().iter().any(|guard| matches!(guard.kind, GuardKind::Friction { .. } | GuardKind::Contact { .. })) {
+            return Err(touching());
+        }
+        let modes = modes(machine, &x);
+        let (mut rows, width) = (Vec::new(), x.len() + 1);
+        for t in INSTANTS {
+            machine.slopes(t, &x, &modes, &mut rows)?;
+            if (0..x.len()).any(|i| rows[i * width + x.len()] != 0.0) {
+                return Err(driven());
+            }
         }
         let size = |(i, x): (usize, &f64)| if machine.states()[i].unit == "rad" { 1.0 } else { x.abs().max(SMALL) };
         let sizes = x.iter().enumerate().map(size).collect();
-        Ok(Rests { family, modes, sizes, range, evaluations: 0 })
+        Ok(Rests { family, sizes, range, evaluations: 0 })
     }
 
     /// Unknowns at a state.
@@ -94,78 +103,102 @@ impl<'f> Rests<'f> {
     }
 }
 
-impl Zeros for Rests<'_> {
-    fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
-        let (modes, last) = (self.modes.clone(), y.len() - 1);
-        self.evaluations += 1;
-        let (machine, _) = self.family.at(y[last])?;
-        let (n, x) = (machine.n_coordinates(), &y[..last]);
-        for (size, x) in self.sizes.iter_mut().zip(x) {
-            *size = size.max(x.abs());
+/// Scales of the states: an angle has the size of a radian, and a rate the scale of its coordinate.
+fn scales(machine: &Machine, sizes: &[f64]) -> Vec<f64> {
+    let n = machine.n_coordinates();
+    let mut scales = sizes.to_vec();
+    for i in 0..n {
+        if machine.states()[i].unit == "rad" {
+            scales[i] = 1.0;
         }
-        // an angle has the size of a radian, and the scale of a rate is that of its coordinate
-        let mut scales = self.sizes.clone();
-        for i in 0..n {
-            if machine.states()[i].unit == "rad" {
-                scales[i] = 1.0;
-            }
-            scales[n + i] = scales[i];
-        }
-        let (free, basis) = tangent_of(machine, (x, &modes), &scales)?;
+        scales[n + i] = scales[i];
+    }
+    scales
+}
+
+/// Small motions beside a place: what is free, and the derivatives of all rates.
+struct Small {
+    free: Vec<usize>,
+    basis: Vec<Vec<f64>>,
+    /// Derivatives of the rates by the states, then by time.
+    rows: Vec<f64>,
+}
+
+impl Small {
+    fn at(machine: &mut Machine, x: &[f64], scales: &[f64]) -> Result<Small, Fault> {
+        let modes = modes(machine, x);
+        let (free, basis) = tangent_of(machine, (x, &modes), scales)?;
         let mut rows = Vec::new();
         machine.slopes(0.0, x, &modes, &mut rows)?;
-        let width = x.len() + 1;
-        let a = |i: usize, column: &[f64]| column.iter().enumerate().map(|(j, c)| rows[i * width + j] * c).sum::<f64>();
-        // of coordinates and auxiliary states; rates stay zero
-        let still: Vec<usize> = (0..free.len()).filter(|k| !(n..2 * n).contains(&free[*k])).collect();
-        let equation = |i: usize| if i < n { n + i } else { i };
-        let states: Vec<usize> = still.iter().map(|k| free[*k]).collect();
-        let (m, columns) = (states.len(), states.len() + 1);
-        let mut jacobian = vec![0.0; m * columns];
-        for (r, &i) in states.iter().enumerate() {
-            for (c, &k) in still.iter().enumerate() {
-                jacobian[r * columns + c] = a(equation(i), &basis[k]) * scales[free[k]] / scales[i];
-            }
-        }
-        let matrix: Vec<f64> = free
-            .iter()
-            .flat_map(|&i| free.iter().enumerate().map(move |(k, &j)| (i, k, j)))
-            .map(|(i, k, j)| a(i, &basis[k]) * scales[j] / scales[i])
-            .collect();
-        let multipliers = roots(free.len(), &matrix)?;
-        let mut directions: Vec<Vec<f64>> = Vec::new();
-        for &k in &still {
-            let mut whole: Vec<f64> = basis[k].iter().zip(&scales).map(|(b, s)| b * scales[free[k]] / s).collect();
-            whole[n..2 * n].fill(0.0);
-            whole.push(0.0);
-            directions.push(whole);
-        }
-        directions.push((0..y.len()).map(|i| if i == last { 1.0 } else { 0.0 }).collect());
-        scales.push(self.range);
+        Ok(Small { free, basis, rows })
+    }
+
+    /// Change of the rate of state i by the k-th free direction, SI.
+    fn entry(&self, i: usize, k: usize) -> f64 {
+        let width = self.basis[k].len() + 1;
+        self.basis[k].iter().zip(&self.rows[i * width..]).map(|(b, a)| a * b).sum()
+    }
+
+    /// Rates of the free states by the free states, in scales.
+    fn matrix(&self, scales: &[f64]) -> Vec<f64> {
+        let pairs = self.free.iter().flat_map(|&i| self.free.iter().enumerate().map(move |(k, &j)| (i, k, j)));
+        pairs.map(|(i, k, j)| self.entry(i, k) * scales[j] / scales[i]).collect()
+    }
+}
+
+impl Zeros for Rests<'_> {
+    fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
+        let last = y.len() - 1;
+        self.evaluations += 1;
+        let x = &y[..last];
+        self.sizes.iter_mut().zip(x).for_each(|(size, x)| *size = size.max(x.abs()));
+        let (machine, _) = self.family.at(y[last])?;
+        let n = machine.n_coordinates();
+        let scales = scales(machine, &self.sizes);
+        let small = Small::at(machine, x, &scales)?;
+        let multipliers = roots(small.free.len(), &small.matrix(&scales))?;
         let facts = Facts {
-            period: 0.0,
             extremes: x[..n].iter().map(|q| [*q, *q]).collect(),
             stable: stable(&multipliers),
             multipliers: Some(multipliers),
             ..Facts::default()
         };
-        let mut local = Local { scales, jacobian, residual: Vec::new(), basis: directions, states, phase: None, facts };
+        // of coordinates and auxiliary states; rates stay zero
+        let still: Vec<usize> = (0..small.free.len()).filter(|k| !(n..2 * n).contains(&small.free[*k])).collect();
+        let states: Vec<usize> = still.iter().map(|k| small.free[*k]).collect();
+        let mut basis: Vec<Vec<f64>> = Vec::new();
+        for (&k, &j) in still.iter().zip(&states) {
+            let mut whole: Vec<f64> = small.basis[k].iter().zip(&scales).map(|(b, s)| b * scales[j] / s).collect();
+            whole[n..2 * n].fill(0.0);
+            whole.push(0.0);
+            basis.push(whole);
+        }
+        basis.push((0..y.len()).map(|i| if i == last { 1.0 } else { 0.0 }).collect());
+        let (m, columns) = (states.len(), states.len() + 1);
+        let mut jacobian = vec![0.0; m * columns];
+        for (r, &i) in states.iter().enumerate() {
+            for (c, (&k, &j)) in still.iter().zip(&states).enumerate() {
+                jacobian[r * columns + c] = small.entry(if i < n { n + i } else { i }, k) * scales[j] / scales[i];
+            }
+        }
+        let scales = scales.into_iter().chain([self.range]).collect();
+        let mut local = Local { scales, jacobian, residual: Vec::new(), basis, states, phase: None, facts };
         let here = self.residual(y, &local)?;
         let mut beside = y.to_vec();
         beside[last] += STEP * self.range;
         let there = self.residual(&beside, &local)?;
-        for r in 0..m {
-            local.jacobian[r * columns + m] = (there[r] - here[r]) / STEP;
+        for (r, (there, here)) in there.iter().zip(&here).enumerate() {
+            local.jacobian[r * columns + m] = (there - here) / STEP;
         }
         local.residual = here;
         Ok(local)
     }
 
     fn residual(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
-        let (modes, last) = (self.modes.clone(), y.len() - 1);
+        let last = y.len() - 1;
         let (machine, _) = self.family.at(y[last])?;
         let n = machine.n_coordinates();
-        let found = rates(machine, &y[..last], &modes)?;
+        let found = rates(machine, &y[..last])?;
         Ok(near.states.iter().map(|&i| found[if i < n { n + i } else { i }] / near.scales[i]).collect())
     }
 
@@ -174,8 +207,9 @@ impl Zeros for Rests<'_> {
         for (c, column) in change.iter().zip(&near.basis) {
             y.iter_mut().zip(column).zip(&near.scales).for_each(|((y, b), s)| *y += c * b * s);
         }
-        let (modes, last) = (self.modes.clone(), y.len() - 1);
+        let last = y.len() - 1;
         let (machine, _) = self.family.at(y[last])?;
+        let modes = modes(machine, &y[..last]);
         machine.project(0.0, &mut y[..last], &modes)?;
         let n = machine.n_coordinates();
         y[n..2 * n].fill(0.0);
@@ -251,6 +285,25 @@ fn nowhere() -> Fault {
         help: Text::new(
             "begin where the machine rests: take a place that `strutt equilibrium` names as the start of the coordinates",
             "начните с положения равновесия: возьмите за начальные значения координат положение, которое называет `strutt equilibrium`",
+        ),
+    })
+}
+
+/// Contacts and frictions hold a machine in many places.
+fn touching() -> Fault {
+    Fault::new(Message {
+        code: "S155",
+        what: Text::new(
+            "places of rest that contacts or dry friction hold are not followed",
+            "положения равновесия при контактах или сухом трении не прослеживаются",
+        ),
+        why: Text::new(
+            "friction lets a machine rest in whole ranges of places, and a contact may close or open on the way",
+            "сухое трение допускает целые области положений равновесия, а контакт по пути может замкнуться или разомкнуться",
+        ),
+        help: Text::new(
+            "repeat the study equilibrium over the parameter (strutt sweep), which follows contacts, or follow periodic motions",
+            "повторите расчёт equilibrium по параметру (strutt sweep), он учитывает контакты, или проследите периодические движения",
         ),
     })
 }

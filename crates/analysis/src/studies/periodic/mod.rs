@@ -33,7 +33,7 @@ mod verdict;
 pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
-pub(in crate::studies) use shooting::{Shooting, Turned, tangent_of};
+pub(in crate::studies) use shooting::{Shooting, Turned, Varied, tangent_of};
 pub use verdict::NEUTRAL;
 pub(in crate::studies) use verdict::outside;
 
