@@ -201,11 +201,39 @@ def manipulator(N):
     return dict(w1=o[0], w2=o[1], w3=o[2], v_C=vC, M_B=MB, M_D=MD, N_B=MB * (o[0] - o[1]), N_D=MD * o[2], A=m * G * 0.48)
 
 
+def slider_crank(N):
+    """Card P1: J(phi) from the transfer functions of the closure, psi = c R^2/J, traces over one turn by steps of Hill's and Mathieu's equation."""
+    p = rows("slider-crank-spring", "variants.csv")[N]
+    w, Rd, R = p["omega1 [rad/s]"], p["R_d [m]"], p["R [m]"]
+    l1, l2, s1, s2, c = 0.032, 0.142, 0.015, 0.064, 7800.0
+    m1, m2, m3, md, J1, J2 = 1.12, 0.26, 2.1, 0.8, 1.6e-4, 9.5e-6
+
+    def J(phi):
+        sin, cos = math.sin(phi), math.cos(phi)
+        sb = -l1 / l2 * sin  # of the rod
+        U21 = -l1 * cos / (l2 * math.sqrt(1 - sb * sb))
+        U31 = -l1 * sin - l2 * sb * U21
+        x, y = -l1 * sin - s2 * sb * U21, l1 * cos + s2 * math.sqrt(1 - sb * sb) * U21
+        return J1 + m1 * s1**2 + md * Rd**2 + m2 * (x * x + y * y) + J2 * U21**2 + m3 * U31**2
+
+    top = extreme(J, math.pi)[0]
+    low, high = c * R * R / top, c * R * R / min(J(0), J(math.pi))
+    d, e = 2 * (high + low) / w**2, (high - low) / w**2
+
+    def trace(psi):
+        sol = motion(lambda t, y: [y[1], -psi(t) * y[0], y[3], -psi(t) * y[2]], [1, 0, 0, 1], 2 * math.pi / w).y
+        return sol[0, -1] + sol[3, -1]
+
+    M, H = trace(lambda t: w * w / 4 * (d - 2 * e * math.cos(w * t))), trace(lambda t: c * R * R / J(w * t))
+    return dict(f_0=R * math.sqrt(c / J(0)) / (2 * math.pi), J_0=J(0), mu=2 * e / d, d=d, e=e, v_1=int(e * e > (1 - d) ** 2), tr_M=M,
+                v_2=int(abs(M) > 2), tr_H=H, v_3=int(abs(H) > 2))
+
+
 if __name__ == "__main__":
     made = [("scotch-yoke", lambda N: yoke(N, "viscous", "table10.csv", "scotch-yoke")),
             ("scotch-yoke-dry", lambda N: yoke(N, "dry", "table11.csv", "scotch-yoke-dry")),
             ("scotch-yoke-oneway", lambda N: yoke(N, "oneway", "table12.csv", "scotch-yoke-oneway")),
-            ("rotor", rotor), ("thread-pendulum", thread), ("manipulator", manipulator)]
+            ("rotor", rotor), ("thread-pendulum", thread), ("manipulator", manipulator), ("slider-crank-spring", slider_crank)]
     import sys
     for name, make in made:
         if len(sys.argv) > 1 and sys.argv[1] != name:
