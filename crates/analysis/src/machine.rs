@@ -25,7 +25,7 @@ mod touches;
 mod touching;
 
 use program::lower::Selection;
-use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, RESOLUTION, Tangent, passes};
+use program::{Acting, Behind, Bound, Evaluator, Jets, Operation, Point, Program, RESOLUTION, Tangent, passes};
 use symbolic::Equations;
 use symbolic::connections::Law;
 use words::Text;
@@ -337,6 +337,13 @@ impl System for Machine {
     }
     fn outputs(&self) -> &[Quantity] {
         &self.outputs
+    }
+
+    fn state_of(&self, output: usize) -> Option<usize> {
+        let tape = &self.bound.program().outputs;
+        let root = tape.roots.get(output)?.register;
+        let made = tape.instructions().find(|instruction| instruction.into == root)?;
+        if let Operation::State(slot) = made.operation { Some(slot as usize) } else { None }
     }
 
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {

@@ -246,6 +246,11 @@ pub trait System {
     /// Outputs.
     fn outputs(&self) -> &[Quantity];
 
+    /// The state that an output is, under whatever name; none where it is another formula.
+    fn state_of(&self, output: usize) -> Option<usize> {
+        self.states().iter().position(|s| s.name == self.outputs()[output].name)
+    }
+
     /// Taylor coefficients 0..=order of all states and guards about (t, x) in the given modes, kept until the next call.
     ///
     /// *Errors*: the equations are singular or undefined there.

@@ -18,8 +18,10 @@ pub struct Tangent {
     slopes: Vec<f64>,
     /// States, then time.
     columns: usize,
-    /// One row of slopes under construction, or the right sides of a system.
+    /// One row of slopes under construction.
     row: Vec<f64>,
+    /// Right sides of a system, a row each.
+    sides: Vec<f64>,
     roots: Vec<f64>,
     factor: Factor,
     general: General,
@@ -37,6 +39,7 @@ impl Tangent {
             values,
             columns,
             row: vec![0.0; columns],
+            sides: Vec::new(),
             factor: Factor::default(),
             general: General::default(),
         }
@@ -175,7 +178,7 @@ impl Tangent {
         }
     }
 
-    /// A x' = b' - A' x, column by column.
+    /// A x' = b' - A' x: all columns of the right sides at once, then column by column.
     fn system(
         &mut self,
         into: usize,
@@ -183,22 +186,27 @@ impl Tangent {
         place: &dyn Fn(usize, usize) -> Option<Register>,
         solve: &dyn Fn(&mut Tangent, &mut [f64]),
     ) {
-        let n = right.len();
-        for column in 0..self.columns {
-            let slope = |t: &Tangent, r: Register| t.slopes[r.index() * t.columns + column];
-            let mut b: Vec<f64> = right.iter().map(|r| slope(self, *r)).collect();
-            for (i, b) in b.iter_mut().enumerate() {
-                for j in 0..n {
-                    if let Some(entry) = place(i, j) {
-                        *b -= slope(self, entry) * self.values.value(Register((into + j) as u32));
-                    }
-                }
+        let (n, m) = (right.len(), self.columns);
+        let mut sides = std::mem::take(&mut self.sides);
+        sides.clear();
+        for (i, r) in right.iter().enumerate() {
+            sides.extend_from_slice(&self.slopes[r.index() * m..(r.index() + 1) * m]);
+            let side = &mut sides[i * m..];
+            for (j, entry) in (0..n).filter_map(|j| Some((j, place(i, j)?))) {
+                let x = self.values.value(Register((into + j) as u32));
+                let slopes = &self.slopes[entry.index() * m..(entry.index() + 1) * m];
+                side.iter_mut().zip(slopes).for_each(|(b, a)| *b -= a * x);
             }
+        }
+        let mut b = vec![0.0; n];
+        for column in 0..m {
+            (0..n).for_each(|i| b[i] = sides[i * m + column]);
             if b.iter().any(|v| *v != 0.0) {
                 solve(self, &mut b);
             }
-            b.iter().enumerate().for_each(|(j, v)| self.slopes[(into + j) * self.columns + column] = *v);
+            b.iter().enumerate().for_each(|(j, v)| self.slopes[(into + j) * m + column] = *v);
         }
+        self.sides = sides;
     }
 }
 

@@ -16,8 +16,6 @@ use serde_json::json;
 use symbolic::Equations;
 use words::{Language, Notice, Printed};
 
-/// A step of the integrator spans about a radian of the quickest oscillation.
-const POINTS_A_STEP: f64 = 4.0;
 /// The default tolerance of a motion.
 pub const TOLERANCE: f64 = 1e-12;
 
@@ -58,12 +56,9 @@ impl Simulate {
 
     /// The same with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
     pub fn finer(&self, data: &Dataset) -> Option<Simulate> {
-        let rows = POINTS_A_STEP * data.counter("steps")?;
-        if self.times != Times::Automatic || data.partial || rows <= 1000.0 {
-            return None;
-        }
-        let parts = [2000.0, 5000.0, 10_000.0].into_iter().find(|parts| *parts >= rows).unwrap_or(20_000.0);
-        Some(Simulate { times: Times::Every(self.until / parts), ..self.clone() })
+        let parts = analysis::studies::simulate::parts(data.counter("steps")? as u64)?;
+        let free = self.times == Times::Automatic && !data.partial;
+        free.then(|| Simulate { times: Times::Every(self.until / parts as f64), ..self.clone() })
     }
 }
 
@@ -114,12 +109,9 @@ impl Study for Motion {
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let study = Simulate::of(asked).with_plots(&machine.equations);
-        let finding = motion(machine, &study, watch);
         // plots need several points on every swing; how many swings there are shows in the steps
-        let (study, finding) = match study.finer(&finding.data) {
-            Some(finer) => (finer.clone(), motion(machine, &finer, watch)),
-            None => (study, finding),
-        };
+        let finding = followed(machine, &study, (&[], Rows::Fitted), watch);
+        let study = study.finer(&finding.data).unwrap_or(study);
         Some(confirm(machine, &study, finding, watch))
     }
     fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
@@ -220,8 +212,24 @@ pub fn motion(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Res
 
 /// A motion; the integrals of `works`, outputs of the study that are powers, are compared with the energy.
 pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Results {
+    followed(machine, study, (works, Rows::Asked), watch)
+}
+
+/// How many rows a motion has that leaves its times open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rows {
+    /// The usual number.
+    Asked,
+    /// As many as its plots need.
+    Fitted,
+}
+
+fn followed(machine: &mut Machine, study: &Simulate, (works, rows): (&[String], Rows), watch: &mut Watch) -> Results {
     let mut options = options(study, watch);
     options.works = works.to_vec();
+    if rows == Rows::Fitted && options.grid == Grid::Auto {
+        options.grid = Grid::Fitted;
+    }
     options.events = plan::events(&machine.model, &machine.equations);
     options.pushes = plan::pushes(&machine.model, &machine.equations);
     let outcome = match moving(&machine.equations).and_then(|()| machine.system.start()) {

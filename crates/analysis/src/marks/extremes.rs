@@ -48,10 +48,9 @@ const TIE: f64 = 1e-7;
 impl Extremes {
     /// For these outputs of a system.
     pub fn new<S: System + ?Sized>(system: &S, chosen: &[usize], tolerance: f64) -> Extremes {
-        let state = |i: usize| system.states().iter().position(|s| s.name == system.outputs()[i].name);
         Extremes {
             list: unknown(chosen.len()),
-            sources: chosen.iter().map(|&i| (i, state(i))).collect(),
+            sources: chosen.iter().map(|&i| (i, system.state_of(i))).collect(),
             proxies: Proxies::default(),
             integrals: vec![[0.0; 3]; chosen.len()],
             span: 0.0,

@@ -4,6 +4,7 @@ mod blows;
 mod bridge;
 mod options;
 mod rivals;
+mod rows;
 mod run;
 mod trail;
 mod watching;
@@ -17,7 +18,7 @@ use words::Text;
 use words::limits::TOLERANCES;
 
 pub(super) use options::{EVENTS, check, choose, requested, untraced};
-pub use options::{Grid, Outcome, Simulate};
+pub use options::{Grid, Outcome, Simulate, parts};
 
 /// Runs the machine from the state `start` at t = 0.
 ///

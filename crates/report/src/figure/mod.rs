@@ -222,7 +222,8 @@ impl Figure {
 
 /// `φ, φ′ against t`.
 fn against(symbols: &[String], x: &str, language: Language) -> Rich {
-    let mut pieces = vec![Inline::Words(language.pick("", "Зависимость ").into())];
+    let many = language.pick("", if symbols.len() > 1 { "Зависимости " } else { "Зависимость " });
+    let mut pieces = vec![Inline::Words(many.into())];
     for (i, name) in symbols.iter().enumerate() {
         if i > 0 {
             pieces.push(Inline::Words(", ".into()));

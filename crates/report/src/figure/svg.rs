@@ -80,7 +80,8 @@ impl Draw<'_> {
             let _ = write!(self.out, "<text x=\"{:.1}\" y=\"{:.1}\">", x + 42.0, y + 4.0);
             self.symbol(&series.name);
             if !series.label.is_empty() {
-                let _ = write!(self.out, " – {}", markup(&series.label));
+                let dash = if series.name.is_empty() { "" } else { " – " };
+                let _ = write!(self.out, "{dash}{}", markup(&series.label));
             }
             self.out.push_str("</text>\n");
         }

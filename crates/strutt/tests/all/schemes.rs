@@ -19,8 +19,11 @@ fn machines() -> Vec<String> {
 }
 
 fn drawn(name: &str) -> Option<Scheme> {
-    let text = std::fs::read_to_string(gallery(name)).unwrap();
-    let machine = pipeline::build(&Source::new(&gallery(name), &text), &[], &mut Watch::default()).unwrap();
+    drawn_of(&gallery(name), &std::fs::read_to_string(gallery(name)).unwrap())
+}
+
+fn drawn_of(name: &str, text: &str) -> Option<Scheme> {
+    let machine = pipeline::build(&Source::new(name, text), &[], &mut Watch::default()).unwrap();
     scheme(&machine, &Options::default(), Language::En)
 }
 
@@ -67,6 +70,32 @@ fn every_element_and_connection_of_the_gallery_is_in_its_scheme() {
             assert!(scheme.items.iter().any(|i| i.path == path), "{name}: {path} is not drawn");
         }
     }
+}
+
+/// Wheels without places stand beside each other: of a belt with its strands between them, of a gear so that they mesh. A wheel that stands is drawn, on a floor.
+#[test]
+fn wheels_without_places_are_apart_and_a_fixed_one_is_drawn() {
+    let pair = |tie: &str| {
+        let text = format!(
+            "[coordinates]\np = \"rad\"\nq = \"rad\"\n[bodies.a]\nangle = \"p\"\ninertia = \"1 kg m^2\"\n[bodies.b]\nangle = \"q\"\ninertia = \"2 kg m^2\"\n\
+             [{tie}.S]\nbetween = [\"a\", \"b\"]\nradii = [\"0.1 m\", \"0.2 m\"]\n"
+        );
+        let scheme = drawn_of("pair.toml", &text).unwrap();
+        let wheel =
+            |path: &str| scheme.items.iter().find(|i| i.path == path && i.place.size > 0.0).map(|i| (i.place.at, i.place.size)).unwrap();
+        let ((a, r), (b, s)) = (wheel("bodies.a"), wheel("bodies.b"));
+        ((a[0] - b[0]).hypot(a[1] - b[1]), r + s, scheme)
+    };
+    let (distance, sum, scheme) = pair("belts");
+    assert!(distance > 1.2 * sum && scheme.items.iter().any(|i| i.symbol.name == "belt"), "{distance} {sum}");
+    let (distance, sum, _) = pair("gears");
+    // some thousand roundings of pixels
+    assert!((distance - sum).abs() < 1e-6 * sum, "{distance} {sum}");
+    let text = "[coordinates]\np = \"rad\"\n[bodies.sun]\nmass = \"1 kg\"\nshape = \"disc(0.1 m)\"\n[bodies.arm]\nangle = \"p\"\n[bodies.planet]\non = \"arm\"\n\
+                origin = [\"0.16 m\", \"0\"]\nangle = \"p*5/3\"\nmass = \"1 kg\"\nshape = \"disc(0.06 m)\"\n";
+    let scheme = drawn_of("planet.toml", text).unwrap();
+    let has = |path: &str, symbol: &str| scheme.items.iter().any(|i| i.path == path && i.symbol.name == symbol);
+    assert!(has("bodies.sun", "disc") && has("bodies.planet", "disc") && has("ground", "wall"));
 }
 
 #[test]

@@ -98,22 +98,33 @@ fn push(band: &mut Band, (from, to): (f64, f64), state: Option<State>) {
     }
 }
 
-/// A table of events with columns for contacts between the instant and the words.
-pub fn table(time: Column, event: Column, language: Language) -> Table {
-    let own = [Word::Contact, Word::Before, Word::After, Word::Impulse].map(|word| Column::new(language.word(word)));
-    Table::new(std::iter::once(time).chain(own).chain(std::iter::once(event)).collect())
+/// Whether any contact struck: otherwise a table has no column of impulses.
+fn strikes(events: &[&Event]) -> bool {
+    events.iter().any(|event| event.contact.as_ref().is_some_and(|change| change.impulse.is_some()))
+}
+
+/// A table of these events with columns for contacts between the instant and the words.
+pub fn table(time: Column, event: Column, events: &[&Event], language: Language) -> Table {
+    let own = [Word::Contact, Word::Before, Word::After].map(|word| Column::new(language.word(word)));
+    let impulse = strikes(events).then(|| Column::new(language.word(Word::Impulse)));
+    Table::new(std::iter::once(time).chain(own).chain(impulse).chain(std::iter::once(event)).collect())
 }
 
 /// Their cells, event by event.
 pub fn cells(events: &[&Event], language: Language) -> Vec<Vec<Cell>> {
-    let cell = |event: &&Event| match &event.contact {
-        None => vec![Cell::Empty; 4],
-        Some(change) => vec![
-            Cell::words(&change.contact),
-            Cell::words(word(change.from, language)),
-            Cell::words(word(change.to, language)),
-            change.impulse.map_or(Cell::Empty, |p| Cell::number(p, DIGITS, language)),
-        ],
+    let width = if strikes(events) { 4 } else { 3 };
+    let cell = |event: &&Event| {
+        let mut cells = match &event.contact {
+            None => vec![Cell::Empty; 4],
+            Some(change) => vec![
+                Cell::words(&change.contact),
+                Cell::words(word(change.from, language)),
+                Cell::words(word(change.to, language)),
+                change.impulse.map_or(Cell::Empty, |p| Cell::number(p, DIGITS, language)),
+            ],
+        };
+        cells.truncate(width);
+        cells
     };
     events.iter().map(cell).collect()
 }

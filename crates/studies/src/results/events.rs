@@ -29,7 +29,7 @@ pub fn events(data: &Dataset, extent: Extent, language: Language) -> Vec<Block> 
     let listed = &switches[..switches.len().min(EVENTS)];
     // a terminal has no room for columns that say again what the words do
     let with_contacts = extent == Extent::Page && listed.iter().any(|e| e.contact.is_some());
-    let mut table = if with_contacts { contacts::table(time, event, language) } else { Table::new(vec![time, event]) };
+    let mut table = if with_contacts { contacts::table(time, event, listed, language) } else { Table::new(vec![time, event]) };
     let between = if with_contacts { contacts::cells(listed, language) } else { vec![Vec::new(); listed.len()] };
     let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
     for ((time, event), between) in Cell::column(&times, 6, language).into_iter().zip(listed).zip(between) {

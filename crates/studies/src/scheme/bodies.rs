@@ -4,7 +4,8 @@ use super::groups::Joint;
 use super::looks::{Look, Wheel};
 use super::numbers::{V3, dot, plus};
 use super::sketch::{Carrier, Sketch};
-use report::scheme::{P, Place, S, Via, direction, distance, polar};
+use mechanics::model::FrameId;
+use report::scheme::{P, Place, Rides, S, Via, direction, distance, polar};
 use std::f64::consts::TAU;
 
 impl Sketch<'_> {
@@ -35,10 +36,17 @@ impl Sketch<'_> {
     /// Wheels of all groups, the largest behind.
     fn wheels(&mut self) {
         let of = |i: usize| self.looks[i].wheels.iter().map(move |w| (i, *w));
-        let mut wheels: Vec<(usize, Wheel)> = (1..self.groups.all.len()).flat_map(of).collect();
+        let mut wheels: Vec<(usize, Wheel)> = (0..self.groups.all.len()).flat_map(of).collect();
+        // a circle of the ground itself is drawn by what runs on it
+        wheels.retain(|(_, wheel)| wheel.frame != FrameId::GROUND);
         wheels.sort_by(|a, b| b.1.radius.total_cmp(&a.1.radius));
         for (group, wheel) in wheels {
-            let path = self.groups.all[group].path.clone();
+            let path = match group {
+                // a wheel that stands: it has no group of its own
+                0 => format!("bodies.{}", self.machine.model.frames[wheel.frame.index()].name),
+                _ => self.groups.all[group].path.clone(),
+            };
+            self.rides = Rides::default();
             if !self.facing(&wheel) {
                 let path_points = self.rim(group, &wheel);
                 let (rim, center) = (path_points.first().copied(), self.stage.at(group, wheel.center));
@@ -55,6 +63,10 @@ impl Sketch<'_> {
             let turn = self.numbers.frames[0][wheel.frame.index()].angle() + 0.7;
             let size = self.long(wheel.radius);
             self.put(wheel.symbol, &path, Place { at, size, other: 0.78 * size, turn, ..Place::default() });
+            if group == 0 {
+                let foot = [at[0], at[1] + size];
+                self.put("wall", "ground", Place { at: [foot[0] - S, foot[1]], to: [foot[0] + S, foot[1]], ..Place::default() });
+            }
         }
     }
 

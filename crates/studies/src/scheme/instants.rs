@@ -78,7 +78,7 @@ fn unreached(time: f64, reached: f64) -> Notice {
 }
 
 /// A closed mechanism that begins stretched, with its first given angle moved to where the figure is clear.
-pub(super) fn bent(machine: &Machine) -> Option<Instant> {
+pub(crate) fn bent(machine: &Machine) -> Option<Instant> {
     let closed = machine.model.connections.iter().any(|c| matches!(role(c.table), Role::Joint | Role::Slot));
     let angle = machine.model.coordinates.iter().position(|c| c.given[0] && c.units[0] == "rad").filter(|_| closed)?;
     let start = Instant::start(machine);

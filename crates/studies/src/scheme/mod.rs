@@ -14,6 +14,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "places on paper, rounded to hundredths of a pixel")]
 
+mod apart;
 mod bodies;
 mod course;
 mod ends;
@@ -36,9 +37,10 @@ mod structure;
 mod ties;
 pub mod vocabulary;
 
+pub(crate) use instants::bent;
 pub use instants::{at_rest, at_time};
 pub use moving::along;
-pub use numbers::Instant;
+pub use numbers::{Instant, STILL, known};
 pub use played::of as played;
 
 use crate::machine::Machine;

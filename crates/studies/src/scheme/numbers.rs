@@ -195,6 +195,11 @@ fn states(machine: &Machine, at: &Instant) -> Vec<BTreeMap<SymbolId, f64>> {
     out
 }
 
+/// Values of all symbols at an instant.
+pub fn known(machine: &Machine, at: &Instant) -> BTreeMap<SymbolId, f64> {
+    values(machine, (&at.q, &at.rates), at.t)
+}
+
 fn values(machine: &Machine, (q, rates): (&[f64], &[f64]), t: f64) -> BTreeMap<SymbolId, f64> {
     let (model, equations) = (&machine.model, &machine.equations);
     let mut known: BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| (p.symbol, p.value)).collect();

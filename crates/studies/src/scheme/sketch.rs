@@ -91,7 +91,11 @@ fn prepared<'a>(machine: &'a Machine, (at, course): (&'a Instant, &[Vec<Pose>]),
     let acts: Vec<Act> =
         pathways.into_iter().map(|(act, pathway)| Act { ends: ends(machine, (&numbers, &groups), (&act.path, pathway)), ..act }).collect();
     let looks = looks(machine, &numbers, &groups);
-    let nearer = nearer(machine, &looks, (&groups, &numbers));
+    let mut nearer = nearer(machine, &looks, (&groups, &numbers));
+    // a line of shafts is drawn from the side, one disc behind the other
+    if !acts.iter().any(|a| matches!(a.ends, Ends::Turn { on, from, .. } if groups.of(on) > 0 && groups.of(from) > 0)) {
+        super::apart::apart(machine, (&groups, &numbers), &mut nearer);
+    }
     let places = extent(&looks, (&groups, &numbers), &nearer);
     let mut points: Vec<V3> = places.iter().map(|p| p.1).collect();
     points.extend(swept(&places, (&groups, &numbers), (course, &nearer)));

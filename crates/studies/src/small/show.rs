@@ -406,6 +406,13 @@ fn response_figures(found: &ResponseFound, data: &Dataset, language: Language) -
         figure.y.log = found.study.log;
         figure.y.symbols = vec![language.pick("amplitude", "амплитуда").into()];
         figure.marks = resonance_marks(found, group, language);
+        if let [only] = group[..] {
+            figure.title =
+                Rich(vec![Inline::Words(language.pick("Amplitude of ", "Амплитуда ").into()), Inline::Symbol(only.symbol.clone())]);
+        }
+        if !figure.y.log && found.resonances.iter().any(|r| r.amplitude.is_infinite()) {
+            cut_off(&mut figure);
+        }
         figures.push(figure);
     }
     let all: Vec<&analysis::Quantity> = found.outputs.iter().collect();
@@ -417,6 +424,19 @@ fn response_figures(found: &ResponseFound, data: &Dataset, language: Language) -
     }
     figures.extend(nyquist(found, data, language));
     figures
+}
+
+/// An amplitude without bound is drawn up to so many times what it is over most of the range: with more the rest would lie on the axis.
+const CUT_OFF: f64 = 10.0;
+
+/// Leaves out what lies beyond [`CUT_OFF`].
+fn cut_off(figure: &mut Figure) {
+    let mut all: Vec<f64> = figure.series.iter().flat_map(|s| &s.y).copied().filter(|y| y.is_finite()).collect();
+    all.sort_by(f64::total_cmp);
+    let Some(usual) = all.get(all.len() / 2) else { return };
+    let starts = figure.series.iter().filter_map(|s| s.y.first()).filter(|y| y.is_finite());
+    let top = CUT_OFF * starts.fold(*usual, |most, y| most.max(*y));
+    figure.series.iter_mut().flat_map(|s| &mut s.y).filter(|y| **y > top).for_each(|y| *y = f64::NAN);
 }
 
 /// Outputs of one unit together, in the order of the first: metres and newtons on one axis would hide each other.

@@ -73,8 +73,8 @@ impl Conclusion {
                 let value = report::number::with_unit(&number(*value), unit);
                 let t = number(*t);
                 language.pick(
-                    format!("The largest magnitude of “{label}” is {value}, at t = {t} s."),
-                    format!("Наибольшее по модулю значение величины «{label}» равно {value} при t = {t} с."),
+                    format!("The largest magnitude of “{label}” is {value}, at t\u{a0}=\u{a0}{t}\u{a0}s."),
+                    format!("Наибольшее по модулю значение величины «{label}» равно {value} при t\u{a0}=\u{a0}{t}\u{a0}с."),
                 )
             }
             Conclusion::Regime { period, stable } => {

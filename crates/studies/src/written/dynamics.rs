@@ -249,7 +249,7 @@ fn lagrange(work: &Work, pen: &mut Pen) {
     pen.say(work.language.pick("Equations of motion:", "Уравнения движения:"));
     for (i, equality) in textbook.iter().enumerate() {
         let layout = work.settled(|printer| printer.equality_layout(&work.equations.graph, *equality, Some(i)));
-        pen.numbered(work.printer.block(layout));
+        pen.numbered(fitted(&work.printer, layout));
     }
     reactions(work, textbook, pen);
     let laws = crate::frictions::laws(work.equations, &work.printer);
@@ -421,7 +421,10 @@ fn second(work: &Work, pen: &mut Pen) {
     let Some(audit) = audits.iter().find(|a| a.key == "two_derivations") else { return };
     let number = |x| report::number::short(x, 2, work.language);
     let (value, limit) = (number(audit.value), number(audit.limit));
+    let exact = audit.value == 0.0;
     let sentence = match (audit.ok, work.language) {
+        (true, words::Language::En) if exact => "The equations were derived once more from the laws of Newton and Euler for every body, projected on the possible motions. At random states the two derivations agree to the last digit.".to_owned(),
+        (true, words::Language::Ru) if exact => "Уравнения выведены повторно, из теорем о движении центра масс и об изменении кинетического момента каждого тела (уравнения Ньютона – Эйлера), спроецированных на возможные движения. В случайно выбранных состояниях два вывода совпадают до последней цифры.".to_owned(),
         (true, words::Language::En) => format!(
             "The equations were derived once more from the laws of Newton and Euler for every body, projected on the possible motions. At random states the two derivations differ by at most {value} of the largest term (limit {limit}): they agree."
         ),

@@ -15,6 +15,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     if !work.equations.coordinates.is_empty() {
         pen.section(pen.word(Word::Freedoms), |pen| freedoms(work, pen));
         pen.section(pen.word(Word::Conditions), |pen| conditions(work, pen));
+        super::centres::write(work, pen);
     }
     for results in work.results_of(Word::Kinematics) {
         let heading = work.text(&results.heading);
@@ -200,11 +201,15 @@ pub(super) fn definitions(work: &Work, pen: &mut Pen) {
 
 /// "During all motions 4 − s > 0."
 fn told_signs(work: &Work, pen: &mut Pen) {
-    if work.signs.is_empty() {
+    let graph = &work.equations.graph;
+    let moves = |e| graph.contains(e, |s| work.equations.coordinates.iter().any(|c| c.symbols.contains(&s)));
+    // that a length of the data is positive nobody has to be told
+    let signs: Vec<_> = work.signs.iter().filter(|(e, _)| moves(*e)).collect();
+    if signs.is_empty() {
         return;
     }
     let mut pieces = vec![words(work.language.pick("During all motions considered ", "Во всех рассмотренных движениях "))];
-    for (i, (e, sign)) in work.signs.iter().enumerate() {
+    for (i, (e, sign)) in signs.into_iter().enumerate() {
         let zero = Layout::Number { mantissa: "0".into(), exponent: None };
         let mut graph = work.equations.graph.clone();
         let positive = if *sign == Sign::Plus { *e } else { graph.neg(*e) };

@@ -4,6 +4,7 @@
 //! Words stand in one table, `wording`; a quantity with its formula, its substitution and its value is written by `quantity` alone.
 
 mod appendix;
+mod centres;
 mod coefficients;
 mod conclusions;
 mod dimensionless;
@@ -19,6 +20,7 @@ mod names;
 mod pen;
 mod quantity;
 mod reactions;
+mod repeated;
 mod sentences;
 mod signs;
 mod statement;

@@ -44,6 +44,8 @@ pub(super) struct Pen {
     /// The number of the chapter, for its sections; empty where it has none.
     number: String,
     figures: usize,
+    /// Where figures stand among the blocks, with their numbers.
+    drawn: Vec<(usize, usize)>,
     tables: usize,
     equations: usize,
     /// Whether the formulas of named quantities were written.
@@ -62,6 +64,7 @@ impl Pen {
             sections: 0,
             number: String::new(),
             figures: 0,
+            drawn: Vec::new(),
             tables: 0,
             equations: 0,
             defined: false,
@@ -222,8 +225,32 @@ impl Pen {
         self.blocks.extend(run);
     }
 
-    /// Pictures behind the sentence that mentions them.
+    /// The number of the figure that shows the same curves already.
+    fn before(&self, block: &Block) -> Option<usize> {
+        let Block::Figure(figure) = block else { return None };
+        let same =
+            |(at, _): &&(usize, usize)| matches!(self.blocks.get(*at), Some(Block::Figure(old)) if super::repeated::alike(old, figure));
+        self.drawn.iter().find(same).map(|(_, number)| *number)
+    }
+
+    /// Pictures behind the sentence that mentions them; what a figure shows already is named.
     pub fn pictures(&mut self, run: Vec<Block>) {
+        let (mut again, mut fresh) = (Vec::new(), Vec::new());
+        for block in run {
+            match self.before(&block) {
+                Some(number) => again.push(number),
+                None => fresh.push(block),
+            }
+        }
+        if !again.is_empty() {
+            self.say(super::repeated::told(&again, self.language));
+        }
+        if !fresh.is_empty() {
+            self.draw(fresh);
+        }
+    }
+
+    fn draw(&mut self, run: Vec<Block>) {
         let (first, last) = (self.figures + 1, self.figures + run.len());
         self.figures = last;
         self.say(match (self.language, run.len()) {
@@ -234,6 +261,8 @@ impl Pen {
             (Language::Ru, 2) => format!("Результаты показаны на рисунках\u{a0}{first} и\u{a0}{last}."),
             (Language::Ru, _) => format!("Результаты показаны на рисунках\u{a0}{first}–{last}."),
         });
+        let here = self.blocks.len();
+        self.drawn.extend((0..run.len()).map(|k| (here + k, first + k)));
         self.blocks.extend(run);
     }
 }

@@ -9,6 +9,8 @@ use words::Language;
 
 /// Significant digits of a result.
 const DIGITS: usize = 6;
+/// Terms that a bracket before an acceleration may have on a line that is too long.
+const KEPT: usize = 3;
 
 /// A value in print with its unit.
 pub(super) fn with_unit(x: f64, unit: &str, language: Language) -> Layout {
@@ -115,13 +117,36 @@ fn multiplied(numbers: Vec<Layout>) -> Vec<Layout> {
 
 fn term_by_term(layout: Layout) -> Layout {
     match layout {
-        Layout::Related(left, relation, right) => Layout::Related(left, relation, Box::new(term_by_term(*right))),
+        Layout::Related(left, relation, right) => Layout::Related(Box::new(opened(*left)), relation, Box::new(term_by_term(*right))),
         Layout::Fraction(above, below) => {
             let parts = if let Layout::Product(factors) = *above { factors } else { vec![*above] };
             distributed(parts, &|term| reduced(term, &below))
         }
         Layout::Product(factors) => distributed(factors, &|term| term),
         other => other,
+    }
+}
+
+/// A left side whose brackets of many terms, which no line break could part, are opened: (a + b + ...) x'' as a x'' + b x'' + ...
+fn opened(left: Layout) -> Layout {
+    let long =
+        |f: &Layout| matches!(f, Layout::Fence(Bracket::Round, inner) if matches!(&**inner, Layout::Sum(terms) if terms.len() > KEPT));
+    let terms = if let Layout::Sum(terms) = left { terms } else { vec![(Sign::Plus, left)] };
+    let mut out = Vec::with_capacity(terms.len());
+    for (sign, term) in terms {
+        match term {
+            Layout::Product(factors) if factors.iter().any(long) => match distributed(factors, &|part| part) {
+                Layout::Sum(parts) => {
+                    out.extend(parts.into_iter().map(|(own, part)| (if own == sign { Sign::Plus } else { Sign::Minus }, part)));
+                }
+                other => out.push((sign, other)),
+            },
+            other => out.push((sign, other)),
+        }
+    }
+    match &out[..] {
+        [(Sign::Plus, _)] => out.remove(0).1,
+        _ => Layout::Sum(out),
     }
 }
 
@@ -133,10 +158,20 @@ fn reduced(above: Layout, below: &Layout) -> Layout {
     };
     let digits = |n: u64| Layout::Number { mantissa: n.to_string(), exponent: None };
     // a fraction over a number is a fraction over the product
-    if let (Layout::Fraction(inner, under), Some(d)) = (&above, whole(below))
-        && let Some(more) = whole(under)
-    {
-        return reduced((**inner).clone(), &digits(d * more));
+    if let (Layout::Fraction(inner, under), Some(d)) = (&above, whole(below)) {
+        if let Some(more) = whole(under) {
+            return reduced((**inner).clone(), &digits(d * more));
+        }
+        let listed = |layout: &Layout| match layout {
+            Layout::Product(list) => list.clone(),
+            other => vec![other.clone()],
+        };
+        let (above, under) = match reduced((**inner).clone(), &digits(d)) {
+            // what a number is put before needs its bracket
+            Layout::Fraction(above, left) => (*above, std::iter::once(*left).chain(listed(under).into_iter().map(fenced)).collect()),
+            above => (above, listed(under)),
+        };
+        return Layout::Fraction(Box::new(above), Box::new(product(multiplied_first(under))));
     }
     let mut factors = if let Layout::Product(factors) = above { factors } else { vec![above] };
     let (Some(n), Some(d)) = (factors.first().and_then(whole), whole(below)) else {
@@ -151,6 +186,22 @@ fn reduced(above: Layout, below: &Layout) -> Layout {
         1 => product(factors),
         rest => Layout::Fraction(Box::new(product(factors)), Box::new(digits(rest))),
     }
+}
+
+/// A sum in its bracket, as a factor has it.
+fn fenced(factor: Layout) -> Layout {
+    match factor {
+        sum @ Layout::Sum(_) => Layout::Fence(Bracket::Round, Box::new(sum)),
+        other => other,
+    }
+}
+
+/// 2·3 √a as 6 √a: whole numbers at the front of a product as one.
+fn multiplied_first(factors: Vec<Layout>) -> Vec<Layout> {
+    let numbers = factors.iter().take_while(|f| matches!(f, Layout::Number { .. })).count();
+    let mut head = factors;
+    let tail = head.split_off(numbers);
+    multiplied(head).into_iter().chain(tail).collect()
 }
 
 /// The factors over the terms of the one sum among them.
@@ -272,6 +323,30 @@ mod tests {
         assert_eq!(shown("4", "6"), "2 m/3");
         let nested = Layout::Fraction(Box::new(Layout::Product(vec![letter("m"), letter("r")])), Box::new(number("2")));
         assert_eq!(Formula::inline(reduced(nested, &number("2"))).text(), "m r/4");
+        let over = |n: &str, under: Layout| {
+            let above = Layout::Product(vec![number(n), letter("m"), letter("r")]);
+            Formula::inline(reduced(Layout::Fraction(Box::new(above), Box::new(under)), &number("2"))).text()
+        };
+        assert_eq!(over("2", letter("l")), "m r/l");
+        assert_eq!(over("3", letter("l")), "3 m r/(2 l)");
+        assert_eq!(over("3", Layout::Product(vec![number("5"), letter("l")])), "3 m r/(10 l)");
+        let sum = || Layout::Sum(vec![(Sign::Plus, letter("l")), (Sign::Minus, letter("b"))]);
+        assert_eq!(over("3", sum()), "3 m r/(2 (l − b))");
+        assert_eq!(over("2", sum()), "m r/(l − b)");
+    }
+
+    #[test]
+    fn brackets_of_many_terms_are_opened_on_the_left() {
+        let printer = Printer::new(Language::En);
+        let letter = |name: &str| Layout::Symbol(printer.named(name));
+        let left = |names: &[&str]| {
+            let sum = names.iter().map(|name| (if *name == "c" { Sign::Minus } else { Sign::Plus }, letter(name))).collect();
+            let product = Layout::Product(vec![Layout::Fence(Bracket::Round, Box::new(Layout::Sum(sum))), letter("x")]);
+            Layout::Sum(vec![(Sign::Minus, product), (Sign::Plus, letter("y"))])
+        };
+        let shown = |layout: Layout| Formula::inline(layout).text();
+        assert_eq!(shown(opened(left(&["a", "b", "c", "d"]))), "−x a − x b + x c − x d + y");
+        assert_eq!(shown(opened(left(&["a", "b", "c"]))), "−(a + b − c) x + y");
     }
 
     #[test]

@@ -103,6 +103,12 @@ impl Symbols {
                 }
                 Block::Table(table)
             }
+            Block::Figure(mut figure) => {
+                for happening in &mut figure.strip {
+                    happening.what = Rich(self.split(&happening.what)).plain(self.language);
+                }
+                Block::Figure(figure)
+            }
             Block::Details { summary, blocks } => Block::Details { summary, blocks: self.finished(blocks) },
             other => other,
         }

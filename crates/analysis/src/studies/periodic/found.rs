@@ -9,6 +9,7 @@ use super::slopes;
 use super::spectrum::Turn;
 use super::symmetry::{self, Symmetry};
 use super::turns::Turns;
+use super::variation::Care;
 use crate::dataset::Audit;
 use crate::integrate::taylor::Options;
 use crate::{Fault, Mode, System};
@@ -161,7 +162,11 @@ impl Found<'_> {
         if returning.is_empty() {
             return Ok(None);
         }
-        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales, self.listener)?.matrix;
+        let care = match reach {
+            Stride::Careful => Care::Correction,
+            Stride::Full => Care::Closing,
+        };
+        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales, (care, self.listener))?.matrix;
         let rates = self.flow_at_end(system)?;
         let m = returning.len();
         let mut square = vec![0.0; m * m];
@@ -196,7 +201,7 @@ impl Found<'_> {
 
     /// What the turn does to small changes of the states that have to come back, in scales, and what leaves that undefined.
     pub(super) fn turn<S: System + ?Sized>(&self, system: &mut S) -> Result<(Turn, Blur), Fault> {
-        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales, self.listener)?;
+        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales, (Care::Multipliers, self.listener))?;
         let states = self.returning(None);
         let n = states.len();
         let mut matrix = vec![0.0; n * n];

@@ -13,7 +13,7 @@ use super::listener::Listener;
 use super::orbit::{Jump, Orbit};
 use super::slopes::{by_time, derivative, slopes};
 use super::square::Square;
-use super::variation::{self, Chain, Stretch};
+use super::variation::{self, Care, Chain, Stretch};
 use crate::integrate::crossings::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
@@ -23,11 +23,11 @@ use algebra::elementary;
 pub(super) struct Fundamental {
     /// Rows by state.
     pub(super) matrix: Square,
-    /// ln |det|: ∫ tr A dt and what the switches add; none when a switch takes a direction away.
+    /// ln |det|: ∫ tr A dt and what the switches add; none when a switch takes a direction away. For multipliers only.
     pub(super) log_determinant: Option<f64>,
     /// Whether a switch takes a direction away: the matrix has a zero multiplier then, exactly.
     pub(super) singular: bool,
-    /// By how much Liouville's formula is missed.
+    /// By how much Liouville's formula is missed; for multipliers only.
     pub(super) liouville: f64,
     /// What the matrix may err by, as a share of its largest entry.
     pub(super) doubt: f64,
@@ -56,7 +56,7 @@ pub(super) fn of_orbit<S: System + ?Sized>(
     system: &mut S,
     orbit: &Orbit,
     scales: &[f64],
-    listener: Listener<'_>,
+    (care, listener): (Care, Listener<'_>),
 ) -> Result<Fundamental, Fault> {
     let balanced = variation::balanced(system, orbit, scales);
     let mut chain = Chain::new(orbit.first.len());
@@ -66,7 +66,7 @@ pub(super) fn of_orbit<S: System + ?Sized>(
         let to = jump.map_or(orbit.steps.len(), |j| j.after + 1);
         // a change of modes without a switch parts the motion too
         for steps in orbit.steps[from..to].chunk_by(|a, b| a.modes == b.modes) {
-            let stretch = Stretch { steps, scales: &balanced, period: orbit.period, listener };
+            let stretch = Stretch { steps, scales: &balanced, period: orbit.period, care, listener };
             let varied = variation::vary(system, &stretch, &mut chain)?;
             log_determinant = log_determinant.map(|l| l + varied.divergence);
             liouville += varied.liouville;

@@ -30,6 +30,8 @@ use algebra::sum::Instant;
 const STAGES: usize = 7;
 /// Error of a step, in scales, of a start that changes by one scale.
 const TOLERANCE: f64 = 1e-13;
+/// The same for one of several steps of Newton's method, which leaves about this share of the gap then; rounding of A alone may leave a hundredth of it.
+const CORRECTS: f64 = 1e-7;
 /// Least number of steps in a period: a flat regime says nothing of how its stiffness moves in time.
 const LEAST: f64 = 32.0;
 /// Most steps of a stretch.
@@ -56,8 +58,31 @@ pub(super) struct Stretch<'o> {
     pub(super) scales: &'o [f64],
     /// Duration of the whole turn.
     pub(super) period: f64,
+    /// What the result is for.
+    pub(super) care: Care,
     /// Who listens.
     pub(super) listener: Listener<'o>,
+}
+
+/// What a fundamental matrix is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Care {
+    /// Multipliers with a bound of their errors, and Liouville's formula.
+    Multipliers,
+    /// A step of Newton's method that has to close at once, however near to singular it is: all digits, but nothing is said of them.
+    Closing,
+    /// One of several steps: an error of the matrix leaves as small a share of the gap, and the next step takes that away.
+    Correction,
+}
+
+impl Care {
+    /// Error of a step of the variations, in scales, of a start that changes by one scale.
+    fn tolerance(self) -> f64 {
+        match self {
+            Care::Multipliers | Care::Closing => TOLERANCE,
+            Care::Correction => CORRECTS,
+        }
+    }
 }
 
 /// Time from one instant to another. Jumps of a microsecond after half an hour need more digits than one number has.
@@ -117,7 +142,7 @@ impl Chain {
 
 /// What the variations of a stretch are.
 pub(super) struct Varied {
-    /// ∫ tr A dt.
+    /// ∫ tr A dt; of a correction 0.
     pub(super) divergence: f64,
     /// By how much Liouville's formula is missed: sum over the steps of |det F - exp ∫ tr A|, each relative to the largest determinant that columns
     /// of this length can have; of a step that does not resolve modes long dead the same with F Φ.
@@ -185,28 +210,38 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
         if out.iter().all(|v| v.is_finite()) { Ok(out) } else { Err(super::faults::no_derivative(t.high)) }
     }
 
-    /// One step of Radau's method; none when its system is singular.
+    /// One step of Radau's method; none when its system is singular. Only states on which some rate depends are unknowns: those whose columns of A are
+    /// zero at all stages follow.
     fn step(&mut self, radau: &Radau, t: Instant, h: f64) -> Result<Option<Square>, Fault> {
         let n = self.n;
-        let size = n * STAGES;
+        let right = radau.c.iter().map(|c| self.matrix(t.after(c * h))).collect::<Result<Vec<_>, _>>()?;
+        let felt: Vec<usize> = (0..n).filter(|j| right.iter().any(|a| (0..n).any(|i| a[i * n + j] != 0.0))).collect();
+        let (m, size) = (felt.len(), felt.len() * STAGES);
         let mut matrix = vec![0.0; size * size];
-        let mut right = Vec::with_capacity(STAGES);
-        for i in 0..STAGES {
-            let a = self.matrix(t.after(radau.c[i] * h))?;
-            for (k, entry) in a.iter().enumerate() {
-                let row = (i * n + k / n) * size + k % n;
-                (0..STAGES).for_each(|j| matrix[row + j * n] = -h * radau.a[i][j] * entry);
+        for (i, a) in right.iter().enumerate() {
+            for (row, column) in (0..m).flat_map(|row| (0..m).map(move |column| (row, column))) {
+                let entry = a[felt[row] * n + felt[column]];
+                (0..STAGES).for_each(|j| matrix[(i * m + row) * size + j * m + column] = -h * radau.a[i][j] * entry);
             }
-            right.push(a);
         }
         (0..size).for_each(|i| matrix[i * size + i] += 1.0);
         let lu = Lu::new(&matrix, size);
         let mut out = Square::identity(n);
-        for column in 0..n {
-            let b: Vec<f64> = (0..size).map(|k| right[k / n][(k % n) * n + column]).collect();
+        let mut disturbed = vec![0.0; size];
+        for (place, &column) in felt.iter().enumerate() {
+            let b: Vec<f64> = (0..size).map(|k| right[k / m][felt[k % m] * n + column]).collect();
             let Some(k) = lu.solve(&b) else { return Ok(None) };
-            for i in 0..n {
-                out.values[i * n + column] += h * (0..STAGES).map(|j| radau.a[STAGES - 1][j] * k[j * n + i]).sum::<f64>();
+            // the felt states at the stages
+            for (i, d) in disturbed.iter_mut().enumerate() {
+                let own = if i % m == place { 1.0 } else { 0.0 };
+                *d = own + h * (0..STAGES).map(|j| radau.a[i / m][j] * k[j * m + i % m]).sum::<f64>();
+            }
+            for row in 0..n {
+                let rate = |j: usize| match felt.iter().position(|of| *of == row) {
+                    Some(own) => k[j * m + own],
+                    None => felt.iter().enumerate().map(|(l, &of)| right[j][row * n + of] * disturbed[j * m + l]).sum(),
+                };
+                out.values[row * n + column] += h * (0..STAGES).map(|j| radau.a[STAGES - 1][j] * rate(j)).sum::<f64>();
             }
         }
         Ok(Some(out))
@@ -317,7 +352,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
     if let Some(step) = stretch.steps.iter().find(|step| step.change.is_some_and(|[to, _]| (0.0..step.length).contains(&to))) {
         return Err(in_change_point(system, step));
     }
-    let radau = Radau::new();
+    let (radau, wanted) = (Radau::new(), stretch.care.tolerance());
     let mut along = Along { system, stretch, n, x: vec![0.0; n], rows: Vec::new() };
     let (mut t, end) = (first.start, last.end());
     let mut h = between(t, end).min(stretch.period / LEAST);
@@ -342,7 +377,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         };
         let off = tried.off();
         let rounding = off <= ROUGH && refused.is_some_and(|before| off > 0.5 * before);
-        let allowed = TOLERANCE.max((2.0 * rough * h).min(ROUGH));
+        let allowed = wanted.max((2.0 * rough * h).min(ROUGH));
         // no quotient by nothing
         let factor = 0.9 * elementary::pow(allowed / off.max(1e-30), 1.0 / (2 * STAGES) as f64);
         if off > allowed && !rounding {
@@ -352,13 +387,15 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         }
         rough = if rounding { rough.max(off / h) } else { rough };
         refused = None;
-        let divergence = along.settled_divergence(t, h)?;
-        out.liouville += tried.missed(divergence, &chain.whole);
-        out.divergence += divergence;
-        chain.push(tried.matrix, if off > TOLERANCE { tried.error } else { tried.error / BETTER });
+        if stretch.care == Care::Multipliers {
+            let divergence = along.settled_divergence(t, h)?;
+            out.liouville += tried.missed(divergence, &chain.whole);
+            out.divergence += divergence;
+        }
+        chain.push(tried.matrix, if off > wanted { tried.error } else { tried.error / BETTER });
         t = if h >= left { end } else { t.after(h) };
         // rounding of A costs the same over a time, however many steps it has
-        h *= if off > TOLERANCE { LONGER } else { factor.clamp(0.9, 3.0) };
+        h *= if off > wanted { LONGER } else { factor.clamp(0.9, 3.0) };
     }
     Err(super::faults::too_quick(t.high))
 }

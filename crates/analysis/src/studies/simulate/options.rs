@@ -21,6 +21,8 @@ pub enum Grid {
     /// 1001 equidistant times.
     #[default]
     Auto,
+    /// As many equidistant times as the motion needs to be drawn ([`parts`]), which shows when its steps are known.
+    Fitted,
 }
 
 /// Options of the study.
@@ -97,13 +99,29 @@ pub struct Outcome {
 pub(in crate::studies) const EVENTS: usize = 100_000;
 
 const AUTO: usize = 1000;
+/// Rows of a step, which spans about a radian of the quickest oscillation.
+const ROWS_OF_STEP: u64 = 4;
+/// Parts of a quicker motion; steps beyond those of the last do not make more.
+const FINER: [u64; 4] = [2000, 5000, 10_000, 20_000];
+
+/// Into how many parts the time is divided to draw a motion of so many steps; none where 1000 are enough.
+pub fn parts(steps: u64) -> Option<u64> {
+    let rows = ROWS_OF_STEP.saturating_mul(steps);
+    let finest = FINER[FINER.len() - 1];
+    (rows > AUTO as u64).then(|| FINER.into_iter().find(|parts| *parts >= rows).unwrap_or(finest))
+}
+
+/// Whether more steps leave the parts as they are.
+pub(super) fn settled(steps: u64) -> bool {
+    parts(steps) == FINER.last().copied()
+}
 
 /// Times in ascending order with the row each belongs to.
 pub(in crate::studies) fn requested(options: &Simulate<'_>, columns: usize) -> Result<Vec<(f64, usize)>, Fault> {
     let rows = match &options.grid {
         Grid::Every(dt) => (options.until / dt).floor() + 1.0,
         Grid::At(times) => times.len() as f64,
-        Grid::Auto => AUTO as f64 + 1.0,
+        Grid::Auto | Grid::Fitted => AUTO as f64 + 1.0,
     };
     if rows * columns as f64 * 8.0 > options.memory {
         return Err(Fault::memory(rows, columns, options.memory));
@@ -111,7 +129,7 @@ pub(in crate::studies) fn requested(options: &Simulate<'_>, columns: usize) -> R
     let mut times: Vec<(f64, usize)> = match &options.grid {
         Grid::At(times) => times.iter().copied().enumerate().map(|(row, t)| (t, row)).collect(),
         Grid::Every(dt) => equidistant(options.until, *dt).into_iter().enumerate().map(|(row, t)| (t, row)).collect(),
-        Grid::Auto => (0..=AUTO).map(|k| (options.until * k as f64 / AUTO as f64, k)).collect(),
+        Grid::Auto | Grid::Fitted => (0..=AUTO).map(|k| (options.until * k as f64 / AUTO as f64, k)).collect(),
     };
     times.sort_by(|a, b| a.0.total_cmp(&b.0));
     Ok(times)

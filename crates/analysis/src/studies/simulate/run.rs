@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 use words::Text;
 
-use super::options::{EVENTS, Simulate, check, choose, requested, untraced};
+use super::options::{EVENTS, Grid, Simulate, check, choose, requested, untraced};
 use super::{rivals, trail};
 use crate::audits::blows::BlowLaws;
 use crate::audits::bodies::BodyBalance;
@@ -17,6 +17,7 @@ use crate::audits::shared::{Shared, not_unique};
 use crate::audits::touches::TouchLaws;
 use crate::dataset::{Audit, Column, Counter, Dataset, Event, Missing, Standing};
 use crate::fault::connections::Since;
+use crate::integrate::Step;
 use crate::integrate::crossings::words::{change, describe, standing};
 use crate::integrate::crossings::{Change, Switch};
 use crate::integrate::taylor::{Flow, Options, Work};
@@ -31,9 +32,6 @@ const PACE: u64 = 1024;
 
 /// Looks in a row at which the run needs too many steps before it is given up.
 const PATIENCE: u32 = 16;
-
-/// Requested times between looks at the interrupt.
-const ROWS: usize = 4096;
 
 /// A run under way.
 pub(super) struct Run {
@@ -79,7 +77,15 @@ pub(super) struct Run {
     pub(super) work: Work,
     pub(super) interrupted: bool,
     pub(super) pace: Pace,
+    /// Steps whose rows wait until it is known how many there are to be.
+    pub(super) waiting: Option<Vec<Waiting>>,
     pub(super) trail: trail::Recorder,
+}
+
+/// A step whose rows are still to be made, and where the motion ends inside it.
+pub(super) struct Waiting {
+    pub(super) step: Step,
+    pub(super) stop: Option<f64>,
 }
 
 /// Share of the last step before its end at which the sides of switches are looked at.
@@ -174,6 +180,7 @@ impl Run {
             work: Work::default(),
             interrupted: false,
             pace: Pace::default(),
+            waiting: (options.grid == Grid::Fitted).then(Vec::new),
             trail: trail::Recorder::new(system.states().iter().map(|q| q.name.clone()).collect()),
             chosen,
         })
@@ -192,6 +199,8 @@ impl Run {
         let modes = flow.modes().to_vec();
         self.contacts = standing(flow.system().guards(), &modes);
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
+        // what ends early has the rows of what was done
+        let result = self.settle_rows(&mut flow, options).and(result);
         self.work = flow.work().clone();
         self.drift = flow.drift();
         result
@@ -213,6 +222,7 @@ impl Run {
             }
             self.sample(flow, options, stop)?;
             if let Some(stop) = stop {
+                self.settle_rows(flow, options)?;
                 return self.end_inside(flow, stop);
             }
             self.record(flow)?;
@@ -230,6 +240,7 @@ impl Run {
                 progress(flow.time() / end);
             }
         }
+        self.settle_rows(flow, options)?;
         self.x.copy_from_slice(flow.state());
         let modes = flow.modes().to_vec();
         self.close(flow.system(), end, &modes);
@@ -248,48 +259,6 @@ impl Run {
             self.extremes.offer_row(t, &values);
             self.extremes.end(&values);
         }
-    }
-
-    /// Values at the requested times inside the last step; its end, or that of the motion, belongs to what follows.
-    pub(super) fn sample<S: System + ?Sized>(
-        &mut self,
-        flow: &mut Flow<'_, S>,
-        options: &Simulate<'_>,
-        stop: Option<f64>,
-    ) -> Result<(), Fault> {
-        let (step, system) = flow.step_and_system();
-        let end = stop.map_or_else(|| step.end(), |tau| step.instant(tau));
-        self.trail.step(step, stop.unwrap_or(step.length));
-        while let Some(&(t, row)) = self.times.get(self.next) {
-            if end.until(t) >= 0.0 {
-                break;
-            }
-            let tau = step.start.until(t);
-            step.state_at(t, &mut self.x);
-            // conditions hold at what is shown too, not only at the ends of steps
-            if !step.is_blind(tau) {
-                system.project(t, &mut self.x, &step.modes)?;
-            }
-            match step.at_change_point(tau) {
-                Some(around) => self.bridge(system, (step, around), t, row)?,
-                None => self.fill(system, t, row, &step.modes)?,
-            }
-            self.next += 1;
-            if self.next.is_multiple_of(ROWS) && options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
-                break;
-            }
-        }
-        Ok(())
-    }
-
-    pub(super) fn fill<S: System + ?Sized>(&mut self, system: &mut S, t: f64, row: usize, modes: &[Mode]) -> Result<(), Fault> {
-        system.observe(t, &self.x, modes, &mut self.all).map_err(|fault| timed(fault, t))?;
-        let n = self.chosen.len();
-        for (cell, &i) in self.table[row * n..(row + 1) * n].iter_mut().zip(&self.chosen) {
-            *cell = self.all[i];
-        }
-        self.extremes.offer_row(t, &self.table[row * n..(row + 1) * n]);
-        Ok(())
     }
 
     pub(super) fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
@@ -467,7 +436,7 @@ pub(super) fn jumps(switch: &Switch) -> bool {
 }
 
 /// A fault of a formula, with the instant at which it happened; other faults say it themselves.
-fn timed(fault: Fault, t: f64) -> Fault {
+pub(super) fn timed(fault: Fault, t: f64) -> Fault {
     if fault.code.starts_with('P') { fault.during(t) } else { fault }
 }
 

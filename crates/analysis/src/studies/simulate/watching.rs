@@ -5,6 +5,7 @@ use words::Text;
 use super::options::EVENTS;
 use super::run::Run;
 use crate::dataset::{ContactChange, Event};
+use crate::integrate::Step;
 use crate::integrate::taylor::Flow;
 use crate::marks::Along;
 use crate::marks::named::Happened;
@@ -29,7 +30,18 @@ impl Run {
             let here = along.rounding(length);
             let of = |i: &usize| here.get(*i).copied().filter(|r| r.is_finite()).unwrap_or(0.0);
             largest.iter_mut().zip(&self.chosen).for_each(|(r, i)| *r = r.max(of(i)));
+        } else {
+            self.audit(step, system, length);
         }
+        self.shared.look(system, step);
+        if let Some(stop) = &stop {
+            self.ended = Some((step.instant(stop.tau).high, stop.event));
+        }
+        stop.map(|stop| stop.tau)
+    }
+
+    /// The checks of a step. A repetition goes without: it is compared with what they have judged.
+    fn audit<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, length: f64) {
         self.power.look(step, system);
         self.bodies.look(step, system);
         self.released.look(step, system);
@@ -37,11 +49,6 @@ impl Run {
         self.ledger.look(step, system, length);
         self.friction.look(step, system, length);
         self.touches.look(step, system, length);
-        self.shared.look(system, step);
-        if let Some(stop) = &stop {
-            self.ended = Some((step.instant(stop.tau).high, stop.event));
-        }
-        stop.map(|stop| stop.tau)
     }
 
     /// Lists where a contact that only pushes begins to pull.

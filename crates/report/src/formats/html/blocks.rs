@@ -167,7 +167,7 @@ impl Writer {
         if let Some(caption) = &table.caption {
             self.tables += 1;
             let (n, word) = (self.tables, self.language.word(Word::Table));
-            self.push(&format!("<caption id=\"table-{n}\">{word}\u{a0}{n} – {}</caption>\n", markup(caption)));
+            self.push(&format!("<caption id=\"table-{n}\">{word}\u{a0}{n} – {}</caption>\n", markup(&caption.replace('/', "/\u{2060}"))));
         }
         let widths: Vec<Option<f64>> = (0..table.columns.len()).map(|i| decimals_width(table, i)).collect();
         self.push("<thead><tr>");
