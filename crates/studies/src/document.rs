@@ -416,7 +416,8 @@ fn written(text: &str, language: Language) -> String {
         let number = with_power(&number.replacen(from, to, 1)).replacen('-', "−", 1);
         // the same unit in the letters of the language
         let unit = if unit.is_ascii() && language == Language::Ru { report::unit::print(unit, language) } else { unit.to_owned() };
-        return format!("{number} {unit}").trim_end().to_owned();
+        let space = if unit.starts_with(['°', '′', '″']) { "" } else { " " };
+        return format!("{number}{space}{unit}").trim_end().to_owned();
     }
     if text.is_empty() { "–".into() } else { text.to_owned() }
 }
