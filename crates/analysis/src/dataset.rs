@@ -28,6 +28,8 @@ pub struct Dataset {
     pub extremes: Vec<Extreme>,
     /// Integrals along the axis and last values, of the motion too.
     pub overall: Vec<Overall>,
+    /// The same between instants that were asked for.
+    pub windows: Vec<Windowed>,
     /// Works that impulses do in impacts and jumps of prescribed rates at the outputs whose works are asked for, J; no number where they are not unique.
     pub struck: Vec<f64>,
     /// What a repetition with other steps confirms.
@@ -42,6 +44,8 @@ pub struct Dataset {
     pub trail: Trail,
     /// What values of columns mean that are no finite numbers; any other such value is an error of the study.
     pub stated: Vec<Stated>,
+    /// Why rows have no numbers: their index, and what is wrong there.
+    pub reasons: Vec<(usize, Text)>,
     /// Whether the study was interrupted or ended by a fault, so that the result is a part of what was asked.
     pub partial: bool,
 }
@@ -184,6 +188,19 @@ pub struct Overall {
     pub first: f64,
     /// Value at the end.
     pub last: f64,
+}
+
+/// Least, greatest and mean values between two instants.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Windowed {
+    /// From, to, s.
+    pub between: [f64; 2],
+    /// The quantities; they are counted from 1, as columns behind an axis are.
+    pub columns: Vec<Quantity>,
+    /// Extremes; empty when the motion ended before the window did.
+    pub extremes: Vec<Extreme>,
+    /// Integrals; empty when the motion ended before the window did.
+    pub overall: Vec<Overall>,
 }
 
 impl Overall {

@@ -1,6 +1,7 @@
 //! Single numbers of a column: largest, least, mean, amplitude, last. They are those of the motion, whatever rows a table has.
 
 use crate::Dataset;
+use crate::dataset::{Overall, Windowed};
 
 /// What is made of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +26,21 @@ pub const NAMES: [(&str, Reduction); 5] = [
     ("mean", Reduction::Mean),
     ("last", Reduction::Last),
 ];
+
+/// The number between two instants; none when the study did not look there, or ended before.
+pub fn within(data: &Dataset, name: &str, reduction: Reduction, between: [f64; 2]) -> Option<f64> {
+    let of = |w: &&Windowed| w.between == between && w.columns.iter().any(|q| q.name == name);
+    let window = data.windows.iter().find(of)?;
+    let column = 1 + window.columns.iter().position(|q| q.name == name)?;
+    let extreme = || window.extremes.iter().find(|e| e.column == column);
+    match reduction {
+        Reduction::Max => extreme().map(|e| e.max),
+        Reduction::Min => extreme().map(|e| e.min),
+        Reduction::Amplitude => extreme().map(|e| 0.5 * (e.max - e.min)),
+        Reduction::Mean => window.overall.iter().find(|o| o.column == column).map(Overall::mean),
+        Reduction::Last => None,
+    }
+}
 
 /// The number; none when the column does not exist, or its axis is known at rows only.
 pub fn reduce(data: &Dataset, name: &str, reduction: Reduction) -> Option<f64> {
@@ -57,7 +73,7 @@ fn of_list(values: &[f64], reduction: Reduction) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::Quantity;
-    use crate::dataset::{Column, Extreme, Overall};
+    use crate::dataset::{Column, Extreme};
 
     /// x = sin 2 pi t seen at whole seconds: its rows say nothing.
     #[test]

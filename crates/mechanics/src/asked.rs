@@ -1,6 +1,7 @@
 //! What a file may ask of its machine: kinds of studies with their keys, declared by whoever carries them out, and the values that a file gives.
 //! This crate knows quantities, names and formulas; what a study does with them it does not know.
 
+pub mod observed;
 mod table;
 mod values;
 
@@ -227,14 +228,18 @@ pub enum Takes {
     Name,
     /// Two quantities, the first smaller, of the dimension of what another key names.
     RangeOf(&'static str),
+    /// The same, given apart from each other on the command line.
+    Between(&'static str),
+    /// Name of a parameter, a coordinate (its start) or a rate (its start), which is given other values.
+    Changed,
     /// Two frequencies, the first smaller, rad/s.
     FrequencyRange,
     /// Frequencies, rad/s.
     Frequencies,
     /// Names of results.
     Results,
-    /// Names of anything, or one.
-    Names,
+    /// Numbers of results, or one; those of formulas of the motion become results of the machine.
+    Observed,
     /// Plots over time; names are results of a motion.
     Plots,
     /// Plots over what the study goes over; names may be results that only the study knows.
@@ -251,6 +256,8 @@ pub enum Takes {
     FrequencyVariable,
     /// Values of parameters, starts and starting rates.
     Ranges,
+    /// A parameter, a start or a starting rate between two values: `m=2 g..60 g`.
+    Stretch,
     /// Name of a kind of study that may be repeated.
     Repeatable,
 }
@@ -266,15 +273,15 @@ impl Takes {
             Takes::Quantity(..) | Takes::Section => (Type::Formula, ""),
             Takes::Flag => (Type::Bool, ""),
             Takes::Word(_) => (Type::String, ""),
-            Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::Repeatable => (Type::Name, ""),
-            Takes::RangeOf(_) => (Type::Quantities, ""),
+            Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Changed | Takes::Name | Takes::Repeatable => (Type::Name, ""),
+            Takes::RangeOf(_) | Takes::Between(_) => (Type::Quantities, ""),
             Takes::FrequencyRange | Takes::Frequencies => (Type::Quantities, "rad/s"),
             Takes::Results => (Type::Names, ""),
-            Takes::Names => (Type::NameOrNames, ""),
+            Takes::Observed => (Type::NameOrNames, ""),
             Takes::Plots | Takes::OwnPlots => (Type::Plots, ""),
             Takes::Guess | Takes::Driven(_) | Takes::FrequencyVariable => (Type::Guess, ""),
             Takes::Formulas => (Type::Formulas, ""),
-            Takes::Ranges => (Type::Ranges, ""),
+            Takes::Ranges | Takes::Stretch => (Type::Ranges, ""),
         }
     }
 }
@@ -337,6 +344,8 @@ pub enum Value {
     Ranges(Vec<SweepRange>),
     /// Plots.
     Plots(Vec<Plot>),
+    /// Results between two instants, s; whoever repeats a motion asks for them.
+    Windows(Vec<(String, [f64; 2])>),
 }
 
 /// A study as it is asked for.
@@ -430,6 +439,10 @@ impl Asked {
     /// The plots wanted.
     pub fn plots(&self) -> &[Plot] {
         if let Some(Value::Plots(plots)) = self.get("plot") { plots } else { &[] }
+    }
+    /// Results between two instants.
+    pub fn windows(&self) -> &[(String, [f64; 2])] {
+        if let Some(Value::Windows(windows)) = self.get("windows") { windows } else { &[] }
     }
     /// The times wanted.
     pub fn times(&self) -> Times {

@@ -17,4 +17,4 @@ pub use chapters::{CHAPTERS, Chapter, all};
 pub use distributed::DISTRIBUTED;
 pub use report::{PARTS, REPORT};
 pub use sections::{PART, SECTION};
-pub use tables::{BODY, COORDINATE, FRAME, OUTPUT, PARAMETER, PHASE, PLOT, POINT, TENSOR, TOP};
+pub use tables::{BODY, COORDINATE, FRAME, OUTPUT, PARAMETER, PHASE, PLOT, POINT, REGIME, TENSOR, TOP};

@@ -56,6 +56,10 @@ pub struct Model {
     pub outputs: Vec<OutputDecl>,
     /// Formulas whose zeros are instants to be found, in the user's order.
     pub events: Vec<EventDecl>,
+    /// Formulas of the motion that studies observe.
+    pub observed: Vec<ObservedDecl>,
+    /// Regimes of the motion, in order: the first whose condition holds is meant.
+    pub regimes: Vec<RegimeDecl>,
     /// Published results to be laid against the machine.
     pub claims: Vec<ClaimDecl>,
     /// What `derive` must find: placeholder symbols that occur in formulas and what they stand for. In order of first use, so that the
@@ -282,6 +286,38 @@ pub struct OutputDecl {
     /// What it is; may be empty.
     pub label: Text,
     /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// A formula of the motion that a study observes.
+#[derive(Clone, Debug)]
+pub struct ObservedDecl {
+    /// As it is written: the name of the result.
+    pub name: String,
+    /// A symbol of its own.
+    pub symbol: SymbolId,
+    /// Like that of an output.
+    pub formula: Expr,
+    /// SI unit label.
+    pub unit: String,
+    /// Its dimension where the formula has one.
+    pub dimension: Option<crate::units::Dimension>,
+    /// Place of the formula in the file.
+    pub span: Range<usize>,
+}
+
+/// A regime of the motion by a condition on its numbers.
+#[derive(Clone, Debug)]
+pub struct RegimeDecl {
+    /// Name.
+    pub name: String,
+    /// The condition as it is written.
+    pub text: String,
+    /// The numbers in it as studies observe them, and the symbols that stand for them.
+    pub numbers: Vec<(String, SymbolId)>,
+    /// 1 where it holds, 0 elsewhere; over these symbols and constant parameters.
+    pub holds: Expr,
+    /// Place of the condition in the file.
     pub span: Range<usize>,
 }
 

@@ -55,6 +55,14 @@ impl<'a> Snippet<'a> {
         };
         Snippet { text, site }
     }
+    /// Where it stands in the file; nowhere when it was set from outside.
+    pub(crate) fn place(&self) -> Option<Range<usize>> {
+        match &self.site {
+            Site::Literal(from) => Some(*from..from + self.text.len()),
+            Site::Inside(range) => Some(range.clone()),
+            Site::Override { .. } => None,
+        }
+    }
     /// Without white space at both ends.
     pub(crate) fn trimmed(&self) -> Snippet<'a> {
         let start = self.text.len() - self.text.trim_start().len();

@@ -65,6 +65,8 @@ pub enum Command {
     New(New),
     /// Explain the code of a message
     Explain(Explain),
+    /// Put the parts of a sweep together
+    Merge(Merge),
     /// Print the completion script of a shell
     Completions(Completions),
 }
@@ -282,6 +284,16 @@ pub struct Explain {
     /// The code, as in error[M021]; without one, all codes are listed
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Merge {
+    /// Folders of the parts, each written by sweep --shard I/N --out DIR
+    #[arg(value_name = "DIR", required = true)]
+    pub parts: Vec<PathBuf>,
+    /// Folder for the rows and the table of the whole sweep
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
 }
 
 #[derive(Args, Debug)]

@@ -361,7 +361,7 @@ impl Bar {
 
     fn draw(&mut self, share: f64) {
         let bar = self.shown.get_or_insert_with(|| {
-            let style = indicatif::ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed}").ok();
+            let style = indicatif::ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed}  −{eta}").ok();
             let bar = indicatif::ProgressBar::new(1000);
             if let Some(style) = style { bar.with_style(style) } else { bar }
         });

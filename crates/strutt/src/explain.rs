@@ -152,6 +152,32 @@ const OWN: &[Explanation] = &[
         ),
     ),
     plain(
+        "C074",
+        ("Rows of an unfinished run", "Строки незаконченного запуска"),
+        (
+            "A sweep with --out keeps each row in sweep.rows of that folder as soon as it is done, and takes the file away when all tables are written. A run that was killed leaves it: --resume \
+             goes on there and gives the same bytes as a run that was not killed. Without --resume nothing is overwritten.",
+            "Серия с ключом --out сохраняет каждую готовую строку в файле sweep.rows этой папки и удаляет его, когда записаны все таблицы. После снятия программы он остаётся: --resume \
+             продолжает с него и даёт те же байты, что и непрерванный запуск. Без --resume ничего не перезаписывается.",
+        ),
+    ),
+    plain(
+        "C075",
+        ("Two runs into one folder", "Два запуска в одну папку"),
+        (
+            "Another run of a sweep is writing its rows into this folder. Two would mix them. Wait for the other, or give each a folder of its own.",
+            "Другой запуск серии пишет свои строки в эту папку. Вместе они бы их перемешали. Дождитесь его или задайте каждому свою папку.",
+        ),
+    ),
+    plain(
+        "C076",
+        ("No rows of a part", "Нет строк части"),
+        (
+            "`strutt merge` reads the file sweep.rows of each folder, which `strutt sweep --shard I/N --out DIR` leaves there.",
+            "Команда `strutt merge` читает из каждой папки файл sweep.rows, который оставляет `strutt sweep --shard I/N --out ПАПКА`.",
+        ),
+    ),
+    plain(
         "C073",
         ("A format without pages", "Формат без страниц"),
         (

@@ -1,7 +1,7 @@
 //! The library behind the command `strutt`: files, folders of results, findings as text, examples. What a file may ask and the street from a model to
 //! a written calculation stand in [`studies`]. It knows no physics.
 //!
-//! Rooms, in order of reading: [`source`], [`files`], `shelf`, [`folder`], [`pdf`], [`system`] (files and the machine that it runs on) - [`diagnostics`], [`mod@explain`],
+//! Rooms, in order of reading: [`source`], [`files`], [`shelf`], [`rows`], [`folder`], [`pdf`], [`system`] (files and the machine that it runs on) - [`diagnostics`], [`mod@explain`],
 //! [`wording`] - `letters`, [`variants`], [`class`] - [`gallery`], [`showcase`], [`film`], [`chain`]. The program: `main`, `args`, `line`, `localize`, `console`, `quantities`, `commands`.
 //!
 //! ```
@@ -24,7 +24,8 @@ pub mod folder;
 pub mod gallery;
 mod letters;
 pub mod pdf;
-mod shelf;
+pub mod rows;
+pub mod shelf;
 pub mod showcase;
 pub mod source;
 pub mod system;

@@ -3,6 +3,7 @@
 use crate::quantities;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, value_parser};
+use mechanics::asked::observed::{listed, observed};
 use mechanics::asked::{Asked, Key, Like, Named, Takes, Value, Way};
 use mechanics::units::{Dimension, parse_unit};
 use std::path::PathBuf;
@@ -58,8 +59,39 @@ fn bare(extra: Extra, language: Language) -> Arg {
                 "Также строки при каждом переключении, непосредственно до и после него",
             ),
         ),
+        Extra::Threads => (
+            "threads",
+            (
+                "So many runs at a time; the results are the same for any number [default: one a processor]",
+                "Столько расчётов одновременно; результаты от этого числа не зависят [по умолчанию: по числу процессоров]",
+            ),
+        ),
+        Extra::Resume => (
+            "resume",
+            (
+                "Go on from where an earlier run into the folder of --out ended",
+                "Продолжить с того места, где кончился прежний запуск с той же папкой --out",
+            ),
+        ),
+        Extra::Shard => (
+            "shard",
+            (
+                "Only this part of the values: 2/8 is the second of eight; strutt merge puts them together",
+                "Только эта часть значений: 2/8 — вторая из восьми; объединяет их strutt merge",
+            ),
+        ),
     };
-    let arg = Arg::new(name).long(name.replace('_', "-")).action(ArgAction::SetTrue).help(language.pick(en, ru));
+    let arg = Arg::new(name).long(name.replace('_', "-")).help(language.pick(en, ru));
+    if extra == Extra::Shard {
+        return arg.value_name("I/N").requires("out");
+    }
+    if extra == Extra::Threads {
+        return arg.value_name("N").value_parser(value_parser!(u16).range(1..));
+    }
+    let arg = arg.action(ArgAction::SetTrue);
+    if extra == Extra::Resume {
+        return arg.requires("out");
+    }
     if extra == Extra::Events { arg.conflicts_with("switches") } else { arg }
 }
 
@@ -100,8 +132,10 @@ fn option(key: &Key, among: &[&Key], language: Language) -> Option<Arg> {
         Takes::Count(..) => arg.value_parser(value_parser!(usize)),
         Takes::Guess => arg.action(ArgAction::Append),
         Takes::Ranges => arg.action(ArgAction::Append).allow_hyphen_values(true),
-        Takes::Results | Takes::Names => arg.action(ArgAction::Append).value_delimiter(','),
-        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::Repeatable => arg,
+        Takes::Results => arg.action(ArgAction::Append).value_delimiter(','),
+        Takes::Observed => arg.action(ArgAction::Append),
+        Takes::Between(_) => arg.num_args(2).allow_hyphen_values(true),
+        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Changed | Takes::Name | Takes::Repeatable => arg,
         _ => arg.allow_hyphen_values(true),
     })
 }
@@ -115,13 +149,14 @@ fn metavar(takes: Takes) -> &'static str {
         Takes::Count(..) => "N",
         Takes::Quantity(..) => "QUANTITY",
         Takes::Word(choice) => choice.metavar,
-        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name => "NAME",
+        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Changed | Takes::Name => "NAME",
+        Takes::Between(_) => "QUANTITY",
         Takes::RangeOf(_) | Takes::FrequencyRange => "FROM,TO",
         Takes::Frequencies => "W1,W2,...",
-        Takes::Results | Takes::Names | Takes::Formulas => "A,B,...",
+        Takes::Results | Takes::Observed | Takes::Formulas => "A,B,...",
         Takes::Guess | Takes::Driven(_) | Takes::FrequencyVariable => "NAME=QUANTITY",
         Takes::Section => "FORMULA",
-        Takes::Ranges => "RANGE",
+        Takes::Ranges | Takes::Stretch => "RANGE",
         Takes::Repeatable => "STUDY",
         Takes::Flag | Takes::Plots | Takes::OwnPlots => "",
     }
@@ -153,7 +188,8 @@ impl<'a> Line<'a> {
         if matches!(key.takes, Takes::Count(..)) {
             return self.matches.get_one::<usize>(name).map(|n| vec![n.to_string()]);
         }
-        self.matches.get_many::<String>(name).map(|texts| texts.cloned().collect())
+        let texts = self.matches.get_many::<String>(name)?.cloned();
+        Some(if matches!(key.takes, Takes::Observed) { texts.flat_map(|text| listed(&text)).collect() } else { texts.collect() })
     }
 
     /// The study that the command line writes behind the file, when it begins one: so its formulas are read and checked as those of the file are.
@@ -199,8 +235,9 @@ fn written(key: &Key, texts: &[String]) -> String {
     let list = || format!("[{}]", texts.iter().map(|t| toml_string(t.trim())).collect::<Vec<_>>().join(", "));
     let first = texts.first().map_or("", String::as_str);
     match key.takes {
-        Takes::Ranges | Takes::Names | Takes::Results | Takes::Formulas => format!("{} = {}\n", key.name, list()),
+        Takes::Ranges | Takes::Between(_) | Takes::Observed | Takes::Results | Takes::Formulas => format!("{} = {}\n", key.name, list()),
         Takes::Count(..) => format!("{} = {first}\n", key.name),
+        Takes::Flag => format!("{} = true\n", key.name),
         Takes::End | Takes::Step | Takes::Duration | Takes::Wait => row(key.name, &quantities::with_unit(first, "s")),
         Takes::Quantity(Like::Is(_, unit), _) => row(key.name, &quantities::with_unit(first, unit)),
         _ => row(key.name, key.option.and_then(|line| line.sets).unwrap_or(first)),
@@ -252,10 +289,11 @@ impl Reading<'_> {
             Takes::Flag => Value::Flag(true),
             Takes::Coordinate => Value::Coordinate(self.coordinate(option, text)?),
             Takes::RangeOf(over) => Value::Numbers(self.range(over, text)?),
+            Takes::Between(over) => Value::Numbers(quantities::ends(option, texts, &self.dimension(Like::Of(over)), self.scaled(over))?),
             Takes::FrequencyRange => Value::Numbers(band(option, text)?),
             Takes::Frequencies => Value::Numbers(quantities::frequencies(option, text)?),
             Takes::Results => Value::Words(self.results(texts)?),
-            Takes::Names => Value::Words(trimmed(texts)),
+            Takes::Observed => Value::Words(quantities::observed(option, texts)?),
             Takes::Guess => Value::Guess(quantities::guess(texts, self.machine)?),
             _ => Value::Word(key.option.and_then(|line| line.sets).unwrap_or(text).to_owned()),
         })
@@ -266,10 +304,14 @@ impl Reading<'_> {
     }
 
     fn dimension(&self, like: Like) -> Dimension {
-        let parameter = |name: &String| self.machine.model.parameters.iter().find(|p| p.name == *name);
+        let unit = |unit: &str| parse_unit(unit).ok().map(|unit| unit.dimension);
         let of = |key: &str| match self.named(key)? {
             Value::Coordinate(named) => named.dimension,
-            Value::Word(name) => parse_unit(&parameter(name)?.unit).ok().map(|unit| unit.dimension),
+            Value::Word(name) => unit(self.unit(name)?),
+            Value::Words(texts) => {
+                let of = observed(texts.first()?).ok()?.of;
+                unit(&self.machine.equations.outputs.iter().find(|o| o.name == of)?.unit)
+            }
             _ => None,
         };
         match like {
@@ -277,6 +319,20 @@ impl Reading<'_> {
             Like::Of(key) => of(key).unwrap_or(Dimension::NONE),
             Like::RateOf(key) => of(key).unwrap_or(Dimension::NONE).per_time(1),
         }
+    }
+
+    /// The SI unit of a parameter, a coordinate or a rate.
+    fn unit(&self, name: &str) -> Option<&str> {
+        let model = &self.machine.model;
+        let base = name.trim_end_matches('\'');
+        let coordinate = || model.coordinates.iter().find(|c| c.name == base)?.units.get(name.len() - base.len());
+        model.parameters.iter().find(|p| p.name == name).map(|p| &p.unit).or_else(coordinate).map(String::as_str)
+    }
+
+    /// What another key names and the unit in which the file gives it, when that is not the SI one.
+    fn scaled(&self, key: &str) -> Option<&String> {
+        let Some(Value::Word(name)) = self.named(key) else { return None };
+        self.machine.model.scaled.get(name)
     }
 
     fn coordinate(&self, option: &str, name: &str) -> Result<Named, Failure> {

@@ -169,6 +169,26 @@ pub fn parameter_range(name: &str, text: &str, machine: &studies::pipeline::Mach
     }
 }
 
+/// Two ascending quantities, each with its unit where the file uses one that is not the SI one.
+pub fn ends(key: &str, texts: &[String], dimension: &Dimension, scaled: Option<&String>) -> Result<Vec<f64>, Failure> {
+    let all = texts.join(" ");
+    texts.iter().try_for_each(|text| has_unit(key, &all, (text.trim(), scaled)))?;
+    let values = texts.iter().map(|text| quantity(key, text.trim(), dimension)).collect::<Result<Vec<f64>, Failure>>()?;
+    match values[..] {
+        [from, to] if from < to => Ok(values),
+        _ => {
+            let what = Text::new("two values are needed, the first smaller", "нужны два значения, первое меньше второго");
+            Err(bad(key, &all, &what, &Text::default()))
+        }
+    }
+}
+
+/// Numbers of results.
+pub fn observed(key: &str, texts: &[String]) -> Result<Vec<String>, Failure> {
+    let read = |text: &String| mechanics::asked::observed::observed(text).map_err(|fault| bad(key, text, &fault.what, &fault.help));
+    texts.iter().map(|text| read(text).map(|_| text.clone())).collect()
+}
+
 /// What is no coordinate, with those that there are.
 pub fn no_coordinate(key: &str, name: &str, machine: &studies::pipeline::Machine) -> Failure {
     let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();

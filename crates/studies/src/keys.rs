@@ -1,6 +1,6 @@
 //! Keys that several studies share, and what is objected to them.
 
-use mechanics::asked::{Asked, Choice, Key, Limits, Objection, Takes, Way};
+use mechanics::asked::{Asked, Choice, Key, Like, Limits, Objection, Takes, Way};
 
 /// End of a motion.
 pub const UNTIL: Key = Key::new("until", Takes::End, ("end of the motion", "конец движения"), "\"30 s\"")
@@ -81,6 +81,58 @@ pub const PLOT: Key = Key::new(
     ("plots: a name, several names in one, or an x-y plot", "графики: имя, несколько имён вместе или график x-y"),
     "[\"phi'\", { x = \"x\", y = [\"y\"] }]",
 );
+
+/// A number of a study that is repeated.
+pub const OBSERVED: Key = Key::new(
+    "observe",
+    Takes::Observed,
+    (
+        "the number that is followed: max(..), min(..), amplitude(..), mean(..) or last(..) of a result or of a formula of the motion, the first four also between two instants, as \
+         mean(phi', 20 s, 30 s); events; or a number of the repeated study by its path in JSON",
+        "число, за которым следят: max(..), min(..), amplitude(..), mean(..) или last(..) от результата или формулы движения, первые четыре и между двумя моментами, например \
+         mean(phi', 20 с, 30 с); events; либо число повторяемого расчёта по его пути в JSON",
+    ),
+    "\"mean(phi', 20 s, 30 s)\"",
+)
+.option(
+    "What is followed: mean(x, 20 s, 30 s), max(x), min(x), amplitude(x), last(x), events, or a number of the study's JSON: period, multipliers.1.abs",
+    "За чем следить: mean(x, 20 с, 30 с), max(x), min(x), amplitude(x), last(x), events либо число из JSON расчёта: period, multipliers.1.abs",
+);
+
+/// The level that it passes.
+pub const LEVEL: Key = Key::new(
+    "level",
+    Takes::Quantity(Like::Of("observe"), Limits::None),
+    ("the level that it passes", "уровень, через который оно переходит"),
+    "\"250 rad/s\"",
+)
+.option("The level that it passes: \"250 rad/s\"", "Уровень, через который оно переходит: \"250 рад/с\"");
+
+/// Regimes of the file in place of a level.
+pub const REGIMES: Key = Key::new(
+    "regimes",
+    Takes::Flag,
+    (
+        "the regimes of the table [regimes] change, in place of `observe` and `level`",
+        "сменяются режимы из таблицы [regimes]; вместо `observe` и `level`",
+    ),
+    "true",
+)
+.default("false", "false")
+.option("Regimes of the file in place of a number and its level", "Режимы файла вместо числа и его уровня");
+
+/// Parts of a range that are looked at.
+pub const PARTS: Key = Key::new(
+    "parts",
+    Takes::Count("M071", 1),
+    (
+        "into so many equal parts the range is divided first, to see whether it holds one change",
+        "на столько равных частей сначала делится промежуток, чтобы увидеть, одна ли в нём смена",
+    ),
+    "16",
+)
+.default("8", "8")
+.option("Parts of the range that are looked at first [default: 8]", "На сколько частей сначала делить промежуток [по умолчанию: 8]");
 
 /// Plots over what the study goes over.
 pub const OWN_PLOT: Key = Key { takes: Takes::OwnPlots, ..PLOT };

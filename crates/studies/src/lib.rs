@@ -5,7 +5,7 @@
 //! It knows no terminal, process, file or clock.
 //!
 //! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`], `letters` - [`results`], `provenance`, [`observable`] - [`machine`], [`frame`] - `keys`, [`plan`],
-//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`sweep`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], [`scheme`], [`calculation`], [`document`],
+//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], [`scheme`], [`calculation`], [`document`],
 //! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large
@@ -37,6 +37,7 @@ pub mod pipeline;
 pub mod plan;
 pub mod poincare;
 mod provenance;
+pub mod repeat;
 pub mod response;
 pub mod results;
 pub mod scheme;
@@ -51,6 +52,7 @@ pub mod statics;
 mod strands;
 pub mod structure;
 pub mod sweep;
+pub mod threshold;
 pub mod transient;
 pub mod variants;
 pub mod watch;
@@ -85,6 +87,7 @@ pub static TABLE: &[&dyn Study] = &[
     &kinematics::Linkage,
     &cycle::Turn,
     &sweep::Sweeping,
+    &threshold::Change,
     &modes::Natural,
     &statics::Statics,
     &response::Forced,

@@ -1,34 +1,34 @@
 //! A single number of a result: read once from the text that users write, taken from any [`Results`].
 
 use crate::results::{Fact, Results};
-use analysis::reduce::{Reduction, reduce};
+use analysis::reduce::{NAMES, Reduction, reduce, within};
+use mechanics::asked::observed::observed;
 use serde_json::Value;
 use std::fmt;
-
-/// Which end of a range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// Least value.
-    Least,
-    /// Greatest value.
-    Greatest,
-}
+use words::Notice;
 
 /// A number that a study gives.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Observable {
-    /// `max(x)`, `min(x)`: an extreme of an output over the motion, or of a list of places.
-    Extreme(Side, String),
-    /// `amplitude(x)`: half the distance of both extremes.
-    Amplitude(String),
-    /// `mean(x)`: over the axis.
-    Mean(String),
-    /// `last(x)`: at the end.
-    Last(String),
+    /// `max(x)`, `mean(x, 20 s, 30 s)`: made of a quantity over the motion, or over a list of places.
+    Reduced(Reduced),
     /// `events`: how many there are.
     Events,
     /// A number that the study names itself: `period`, `multipliers.1.abs`.
     Field(Field),
+}
+
+/// A number made of a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reduced {
+    /// What is made of it.
+    pub reduction: Reduction,
+    /// The quantity.
+    pub of: String,
+    /// From, to, s; everywhere without it.
+    pub window: Option<[f64; 2]>,
+    /// As it is written.
+    text: String,
 }
 
 /// A number among the named ones of a study.
@@ -55,23 +55,38 @@ pub enum Absent {
     AtRowsOnly,
     /// The study has nothing of this name.
     Nothing,
+    /// The study does not look between two instants.
+    NoWindow,
+    /// The motion ended before the window did, or the quantity has no value somewhere in it.
+    Unfinished,
 }
 
 impl Observable {
     /// What a text means; an output by its bare name is both of its extremes. `is_output` says which names are outputs.
-    pub fn read(text: &str, is_output: &dyn Fn(&str) -> bool) -> Vec<Observable> {
+    ///
+    /// # Errors
+    /// M377: a window without two ascending instants.
+    pub fn read(text: &str, is_output: &dyn Fn(&str) -> bool) -> Result<Vec<Observable>, Notice> {
+        let found = observed(text)?;
         let text = text.trim();
-        let of = |make: &dyn Fn(String) -> Observable, name: &str| vec![make(name.trim().to_owned())];
-        match text.strip_suffix(')').and_then(|t| t.split_once('(')) {
-            Some(("max", name)) => of(&|n| Observable::Extreme(Side::Greatest, n), name),
-            Some(("min", name)) => of(&|n| Observable::Extreme(Side::Least, n), name),
-            Some(("amplitude", name)) => of(&Observable::Amplitude, name),
-            Some(("mean", name)) => of(&Observable::Mean, name),
-            Some(("last", name)) => of(&Observable::Last, name),
-            _ if text == "events" => vec![Observable::Events],
-            _ if is_output(text) => [Side::Greatest, Side::Least].map(|side| Observable::Extreme(side, text.to_owned())).into(),
-            _ => vec![Observable::field(text)],
-        }
+        let reduction = found.word.and_then(|word| NAMES.iter().find(|(name, _)| *name == word));
+        Ok(match reduction {
+            Some((_, reduction)) => vec![Observable::made(*reduction, found.of, found.window, text.to_owned())],
+            None if text == "events" => vec![Observable::Events],
+            None if is_output(text) => [Reduction::Max, Reduction::Min].map(|r| Observable::of_quantity(r, text)).into(),
+            None => vec![Observable::field(text)],
+        })
+    }
+
+    fn made(reduction: Reduction, of: String, window: Option<[f64; 2]>, text: String) -> Observable {
+        // without a window one way of writing it is as good as another
+        let text = if window.is_some() { text } else { format!("{}({of})", name(reduction)) };
+        Observable::Reduced(Reduced { reduction, of, window, text })
+    }
+
+    /// A number made of a quantity over all of the motion.
+    pub fn of_quantity(reduction: Reduction, of: &str) -> Observable {
+        Observable::made(reduction, of.to_owned(), None, String::new())
     }
 
     /// A number by the name that the study gives it.
@@ -80,9 +95,14 @@ impl Observable {
         Observable::Field(Field { text: text.to_owned(), steps: text.split('.').map(step).collect() })
     }
 
+    /// What it is made of.
+    pub fn reduced(&self) -> Option<&Reduced> {
+        if let Observable::Reduced(reduced) = self { Some(reduced) } else { None }
+    }
+
     /// The output that it is made of.
     pub fn column(&self) -> Option<&str> {
-        self.reduced().map(|(name, _)| name)
+        self.reduced().map(|reduced| reduced.of.as_str())
     }
 
     /// A number of the study itself, as it is written.
@@ -93,24 +113,9 @@ impl Observable {
     /// What is made of the output: `max`, `mean`; the whole name otherwise.
     pub fn word(&self) -> &str {
         match self {
-            Observable::Extreme(Side::Greatest, _) => "max",
-            Observable::Extreme(Side::Least, _) => "min",
-            Observable::Amplitude(_) => "amplitude",
-            Observable::Mean(_) => "mean",
-            Observable::Last(_) => "last",
+            Observable::Reduced(reduced) => name(reduced.reduction),
             Observable::Events => "events",
             Observable::Field(field) => &field.text,
-        }
-    }
-
-    fn reduced(&self) -> Option<(&str, Reduction)> {
-        match self {
-            Observable::Extreme(Side::Greatest, name) => Some((name, Reduction::Max)),
-            Observable::Extreme(Side::Least, name) => Some((name, Reduction::Min)),
-            Observable::Amplitude(name) => Some((name, Reduction::Amplitude)),
-            Observable::Mean(name) => Some((name, Reduction::Mean)),
-            Observable::Last(name) => Some((name, Reduction::Last)),
-            Observable::Events | Observable::Field(_) => None,
         }
     }
 
@@ -119,17 +124,36 @@ impl Observable {
     /// # Errors
     /// No result of the study has it.
     pub fn of(&self, results: &Results) -> Result<f64, Absent> {
-        if let Some((name, reduction)) = self.reduced() {
-            return match reduce(&results.data, name, reduction) {
-                None if results.data.axis.is_some() || results.data.column(name).is_none() => Err(Absent::AtRowsOnly),
-                found => Ok(found.unwrap_or(f64::NAN)),
-            };
-        }
         match self {
+            Observable::Reduced(reduced) => reduced.of(results),
             Observable::Field(field) => field.of(results).ok_or(Absent::Nothing),
-            _ => Ok(results.data.events.len() as f64),
+            Observable::Events => Ok(results.data.events.len() as f64),
         }
     }
+}
+
+impl Reduced {
+    fn of(&self, results: &Results) -> Result<f64, Absent> {
+        let data = &results.data;
+        let Some(window) = self.window else {
+            return match reduce(data, &self.of, self.reduction) {
+                // it was followed, and has no value
+                None if data.overall(&self.of).is_some() => Err(Absent::Unfinished),
+                None if data.axis.is_some() || data.column(&self.of).is_none() => Err(Absent::AtRowsOnly),
+                found => Ok(found.unwrap_or(f64::NAN)),
+            };
+        };
+        match within(data, &self.of, self.reduction, window).filter(|value| value.is_finite()) {
+            Some(value) => Ok(value),
+            None if data.windows.is_empty() => Err(Absent::NoWindow),
+            None => Err(Absent::Unfinished),
+        }
+    }
+}
+
+/// The name of what is made of a quantity.
+fn name(reduction: Reduction) -> &'static str {
+    NAMES.iter().find(|(_, own)| *own == reduction).map_or("", |(name, _)| name)
 }
 
 impl Field {
@@ -169,9 +193,9 @@ fn number(found: &Value) -> Option<f64> {
 
 impl fmt::Display for Observable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.column() {
-            Some(name) => write!(f, "{}({name})", self.word()),
-            None => f.write_str(self.word()),
+        match self {
+            Observable::Reduced(reduced) => f.write_str(&reduced.text),
+            _ => f.write_str(self.word()),
         }
     }
 }
@@ -182,12 +206,22 @@ mod tests {
     use serde_json::json;
 
     fn read(text: &str) -> Vec<Observable> {
-        Observable::read(text, &|name| name == "phi")
+        Observable::read(text, &|name| name == "phi").unwrap()
     }
 
     #[test]
     fn texts_become_observables_and_back() {
-        for text in ["max(phi)", "min(phi)", "amplitude(phi)", "mean(phi)", "last(phi)", "events", "period", "multipliers.1.abs"] {
+        for text in [
+            "max(phi)",
+            "min(phi)",
+            "amplitude(phi)",
+            "mean(phi)",
+            "last(phi)",
+            "events",
+            "period",
+            "multipliers.1.abs",
+            "mean(phi', 20 s, 30 s)",
+        ] {
             let found = read(text);
             assert_eq!(found.iter().map(ToString::to_string).collect::<Vec<_>>(), [text]);
         }

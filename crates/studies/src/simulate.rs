@@ -9,6 +9,7 @@ use crate::results::{Alone, Strips, fields, figures};
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
+use analysis::marks::windows::Window;
 use analysis::studies::simulate::{Grid, Outcome, Simulate as Options};
 use mechanics::asked::{Asked, Kind, Value, Words};
 use mechanics::model::{Plot, Times};
@@ -34,6 +35,8 @@ pub struct Simulate {
     pub outputs: Vec<String>,
     /// Plots wanted.
     pub plots: Vec<Plot>,
+    /// Results of which numbers between two instants are wanted.
+    pub windows: Vec<Window>,
 }
 
 impl Simulate {
@@ -46,6 +49,7 @@ impl Simulate {
             method: asked.word("method").and_then(analysis::integrate::stiff::Method::named).unwrap_or_default(),
             outputs: asked.words("outputs").to_vec(),
             plots: asked.plots().to_vec(),
+            windows: asked.windows().iter().map(|(output, between)| Window { output: output.clone(), between: *between }).collect(),
         }
     }
 
@@ -75,6 +79,7 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
         tolerance: study.tolerance,
         method: study.method,
         outputs: Some(study.outputs.clone()),
+        windows: study.windows.clone(),
         interrupt: watch.interrupt,
         tolerance_halving: watch.halve_tolerance,
         check: watch.check,

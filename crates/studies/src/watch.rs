@@ -1,7 +1,7 @@
 //! What watches a long calculation from outside: a flag to stop it, listeners to its progress and to the ends of its phases. There is no clock here.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use words::Text;
+use words::{Notice, Text};
 
 /// A phase of a calculation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +14,27 @@ pub enum Lap {
     Lower,
     /// A study is carried out.
     Run,
+}
+
+/// What runs a work on so many threads at once: there are none below the command line.
+pub type Spread = fn(usize, &(dyn Fn() + Sync));
+
+/// Keeps lines where they outlive the process.
+pub trait Keeper {
+    /// The lines of an earlier run, in order; the last may be torn.
+    fn lines(&self) -> &[String];
+
+    /// Leaves the first so many of them.
+    ///
+    /// # Errors
+    /// The disk refuses.
+    fn cut(&mut self, lines: usize) -> Result<(), Notice>;
+
+    /// Adds lines. After a crash they are there, or all but some of the first.
+    ///
+    /// # Errors
+    /// The disk refuses.
+    fn add(&mut self, lines: &str) -> Result<(), Notice>;
 }
 
 /// Watches a calculation.
@@ -31,12 +52,36 @@ pub struct Watch<'a> {
     pub halve_tolerance: bool,
     /// Whether a motion is repeated with other steps to see which digits hold.
     pub check: bool,
+    /// Threads of a study of many runs; 0 counts as 1. The results do not depend on it.
+    pub threads: usize,
+    /// Runs a work on so many threads at once, until all have done with it.
+    pub spread: Option<Spread>,
+    /// Keeps the rows of a study of many runs.
+    pub keeper: Option<&'a mut dyn Keeper>,
+    /// Which part of how many of a study of many runs is done, counted from 1.
+    pub shard: Option<[usize; 2]>,
 }
 
 impl Watch<'_> {
     /// Whether the calculation is to end.
     pub fn is_interrupted(&self) -> bool {
         self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+
+    /// The same with a keeper of rows.
+    pub fn with_keeper<'b>(&'b mut self, keeper: Option<&'b mut dyn Keeper>) -> Watch<'b> {
+        Watch {
+            interrupt: self.interrupt,
+            progress: self.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64)),
+            doing: self.doing.as_mut().map(|d| &mut **d as &mut dyn FnMut(Text)),
+            ended: self.ended.as_mut().map(|e| &mut **e as &mut dyn FnMut(Lap)),
+            halve_tolerance: self.halve_tolerance,
+            check: self.check,
+            threads: self.threads,
+            spread: self.spread,
+            keeper,
+            shard: self.shard,
+        }
     }
 
     /// Ends a phase.

@@ -118,7 +118,7 @@ impl Extremes {
         if first + reach <= self.list[j].max && first - reach >= self.list[j].min {
             return;
         }
-        if c.len() > 1 && surely_monotone(c, h) {
+        if c.len() > 1 && surely_monotone(&c, h) {
             self.offer(j, along.time(0.0), first);
             self.offer(j, along.time(h), along.state(state, h));
             return;

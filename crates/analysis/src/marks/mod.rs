@@ -11,7 +11,9 @@ pub mod crossings;
 pub mod extremes;
 pub mod named;
 pub mod pushes;
+pub mod windows;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use program::Behind;
@@ -27,7 +29,9 @@ const KNOWN: usize = 17;
 pub(crate) struct Along<'a, S: ?Sized> {
     step: &'a Step,
     system: &'a mut S,
-    /// Where the motion ends inside the step, or the step's length.
+    /// Where a part of the step begins and ends, when not all of it is looked at.
+    part: Option<[f64; 2]>,
+    /// Where the motion ends inside the step, or the length of the step or of its part.
     pub length: f64,
     x: Vec<f64>,
     all: Vec<f64>,
@@ -39,17 +43,31 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
     /// The step from its start to `length`.
     pub fn new(step: &'a Step, system: &'a mut S, length: f64) -> Along<'a, S> {
         let (n_x, n_out) = (system.states().len(), system.outputs().len());
-        Along { step, system, length, x: vec![0.0; n_x], all: vec![0.0; n_out], known: Vec::new() }
+        Along { step, system, part: None, length, x: vec![0.0; n_x], all: vec![0.0; n_out], known: Vec::new() }
     }
 
-    /// Time at `tau` after the start of the step.
+    /// The part of a step between two places; every `tau` counts from the first.
+    pub fn part(step: &'a Step, system: &'a mut S, [from, to]: [f64; 2]) -> Along<'a, S> {
+        Along { part: Some([from, to]), ..Along::new(step, system, to - from) }
+    }
+
+    /// The place in the step of what is `tau` from the start of the part; its end exactly.
+    fn place(&self, tau: f64) -> f64 {
+        match self.part {
+            None => tau,
+            Some([_, to]) if tau == self.length => to,
+            Some([from, _]) => from + tau,
+        }
+    }
+
+    /// Time at `tau` after the start.
     pub fn time(&self, tau: f64) -> f64 {
-        self.step.instant(tau).high
+        self.step.instant(self.place(tau)).high
     }
 
     /// All outputs at `tau`; not numbers where they have no value.
     pub fn outputs(&mut self, tau: f64) -> &[f64] {
-        self.step.state_after(tau, &mut self.x);
+        self.step.state_after(self.place(tau), &mut self.x);
         let t = self.time(tau);
         if self.system.observe(t, &self.x, &self.step.modes, &mut self.all).is_err() {
             self.all.fill(f64::NAN);
@@ -58,24 +76,25 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
     }
 
     /// Coefficients of a state.
-    pub fn polynomial(&self, state: usize) -> &'a [f64] {
-        self.step.coefficients(state)
+    pub fn polynomial(&self, state: usize) -> Cow<'a, [f64]> {
+        let c = self.step.coefficients(state);
+        self.part.map_or(Cow::Borrowed(c), |[from, _]| Cow::Owned(moved(c, from)))
     }
 
     /// A state at the start, with its whole turns.
     pub fn start(&self, state: usize) -> f64 {
-        self.step.start_value(state)
+        self.part.map_or_else(|| self.step.start_value(state), |[from, _]| self.step.value_after(state, from))
     }
 
     /// All states at `tau`.
     pub fn whole_state(&mut self, tau: f64) -> Vec<f64> {
-        self.step.state_after(tau, &mut self.x);
+        self.step.state_after(self.place(tau), &mut self.x);
         self.x.clone()
     }
 
     /// A state at `tau`.
     pub fn state(&self, state: usize, tau: f64) -> f64 {
-        self.step.value_after(state, tau)
+        self.step.value_after(state, self.place(tau))
     }
 }
 
@@ -106,7 +125,7 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
         if let Some((_, row)) = self.known.iter().find(|(at, _)| *at == tau) {
             return row.clone();
         }
-        self.step.state_after(tau, &mut self.x);
+        self.step.state_after(self.place(tau), &mut self.x);
         let (t, mut row) = (self.time(tau), Vec::new());
         if self.system.sample(t, &self.x, &self.step.modes, &mut row).is_err() {
             row.fill(f64::NAN);
@@ -119,7 +138,7 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
     }
 
     fn rounding(&mut self, tau: f64) -> Vec<f64> {
-        self.step.state_after(tau, &mut self.x);
+        self.step.state_after(self.place(tau), &mut self.x);
         let (t, mut row) = (self.time(tau), Vec::new());
         // a polynomial is rounded like its terms
         let size = |i: usize| self.polynomial(i).iter().rev().fold(0.0, |sum, c| sum * self.length + c.abs());
@@ -135,6 +154,17 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
     fn resolution(&self) -> f64 {
         4.0 * f64::EPSILON * self.time(self.length).abs()
     }
+}
+
+/// The coefficients of Σ c_k τ^k about `from`: Horner's scheme, again and again (Taylor's shift).
+fn moved(c: &[f64], from: f64) -> Vec<f64> {
+    let mut c = c.to_vec();
+    for k in 0..c.len() {
+        for i in (k..c.len() - 1).rev() {
+            c[i] += from * c[i + 1];
+        }
+    }
+    c
 }
 
 /// Root of f in [a, b], where it changes its sign: the secant, of an end that stays with halved weight (Illinois), and the middle where three values have not

@@ -30,6 +30,7 @@ pub mod structure_statics;
 pub mod superposition;
 pub mod swings;
 mod telling;
+pub mod threshold;
 pub mod tracks;
 pub mod transient;
 pub mod unknowns;

@@ -427,19 +427,14 @@ fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }
         }
     }
-    for event in &model.events {
-        match resolver.resolve(scene, kinematics, event.zero) {
-            Ok(formula) => list.push(Output {
-                name: event_output(&event.name),
-                symbol: event.symbol,
-                unit: event.unit.clone(),
-                display: None,
-                label: Text::default(),
-                role: Role::Event,
-                formula,
-            }),
+    let hidden = model.events.iter().map(|e| (event_output(&e.name), e.symbol, e.zero, &e.unit, &e.span));
+    let observed = model.observed.iter().map(|o| (o.name.clone(), o.symbol, o.formula, &o.unit, &o.span));
+    for (name, symbol, formula, unit, span) in hidden.chain(observed) {
+        let (unit, role) = (unit.clone(), Role::Event);
+        match resolver.resolve(scene, kinematics, formula) {
+            Ok(formula) => list.push(Output { name, symbol, unit, display: None, label: Text::default(), role, formula }),
             Err(mut diagnostic) => {
-                diagnostic.place = words::Place::File(event.span.clone());
+                diagnostic.place = words::Place::File(span.clone());
                 errors.push(*diagnostic);
             }
         }

@@ -113,11 +113,35 @@ pub const STUDIES: &[Explanation] = &[
         "",
     ),
     row(
+        "M377",
+        ("no window of time", "не промежуток времени"),
+        (
+            "max, min, amplitude and mean of a result may be taken between two instants: mean(x, 20 s, 30 s). The instants count from the start of the motion, the first is the earlier \
+             one, and both lie inside the motion. last(x) is the value at the end and takes no instants. With semicolons between the parts commas are decimal marks.",
+            "max, min, amplitude и mean можно брать между двумя моментами: mean(x, 20 с, 30 с). Моменты отсчитываются от начала движения, первый — более ранний, оба \
+             лежат внутри движения. last(x) — значение в конце, моментов у него нет. Если части разделены точкой с запятой, запятая отделяет дробную часть.",
+        ),
+        "observe = [\"mean(x, 30 s, 20 s)\"]",
+        "observe = [\"mean(x, 20 s, 30 s)\"]",
+    ),
+    row(
+        "M378",
+        ("no number in a regime", "в условии режима нет числа движения"),
+        (
+            "A regime is a condition on numbers of a motion: mean, max, min, amplitude or last of a result, between two instants or over the whole motion. A condition without one holds \\
+             always or never.",
+            "Режим — условие на числа движения: mean, max, min, amplitude или last от величины, между двумя моментами или за всё движение. Условие без такого числа выполнено \\
+             всегда или никогда.",
+        ),
+        "[regimes]\nfast = \"2 > 1\"",
+        "[regimes]\nfast = \"mean(x', 1 s, 2 s) > 1 [m/s]\"",
+    ),
+    row(
         "M070",
         ("no range of values", "не набор значений"),
         (
-            "A range is name=linspace(first, last, number), name=logspace(first, last, number) with positive ends, or name=value, value. With semicolons between the values commas are decimal marks.",
-            "Набор значений: имя=linspace(первое, последнее, число), имя=logspace(первое, последнее, число) с положительными концами или имя=значение, значение. Если значения разделены точкой с запятой, запятая отделяет дробную часть.",
+            "A range is name=linspace(first, last, number), name=logspace(first, last, number) with positive ends, name=value, value, or drawn values: name=uniform(from, to, number, seed), name=normal(mean, deviation, number, seed), the same for the same seed. With semicolons between the values commas are decimal marks.",
+            "Набор значений: имя=linspace(первое, последнее, число), имя=logspace(первое, последнее, число) с положительными концами, имя=значение, значение или случайные значения: имя=uniform(от, до, число, начальное), имя=normal(среднее, отклонение, число, начальное), одни и те же при одном начальном числе датчика. Если значения разделены точкой с запятой, запятая отделяет дробную часть.",
         ),
         "over = \"l=1 m..3 m\"",
         "over = \"l=linspace(1 m, 3 m, 21)\"",

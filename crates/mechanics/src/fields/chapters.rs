@@ -94,7 +94,7 @@ pub const CHAPTERS: &[Chapter] = &[
             "What is to be told about a motion: named results, named instants, published values laid against the machine.",
             "Что требуется узнать о движении: именованные результаты, именованные моменты времени, опубликованные значения для сопоставления с машиной.",
         ),
-        tables: &[&tables::OUTPUT, &events::EVENT, &claims::CLAIM],
+        tables: &[&tables::OUTPUT, &events::EVENT, &tables::REGIME, &claims::CLAIM],
     },
     Chapter {
         file: "studies",

@@ -68,6 +68,7 @@ const TAIL: &[Field] = &[
     may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
     may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
     may("events", Type::Table, "", "", ("named events", "именованные события"), ""),
+    may("regimes", Type::Table, "", "", ("regimes of the motion by conditions", "режимы движения, заданные условиями"), ""),
     may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
     may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
     may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
@@ -286,6 +287,24 @@ pub const OUTPUT: TableSpec = TableSpec {
         LABEL,
     ],
     example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
+};
+
+/// `[regimes]`.
+pub const REGIME: TableSpec = TableSpec {
+    name: "regimes",
+    about: (
+        "Regimes of a motion: name = condition over its numbers, as `sweep` observes them, and constant parameters. The first that holds is meant. `threshold` with `regimes = true` finds where one gives way to another.",
+        "Режимы движения: имя = условие на его числа, как их записывает `sweep`, и постоянные параметры. Имеется в виду первый режим, условие которого выполнено. Расчёт `threshold` с `regimes = true` находит, где один режим сменяется другим.",
+    ),
+    short: Some(("name = condition", "имя = условие")),
+    fields: &[must(
+        "NAME",
+        Type::Formula,
+        "",
+        ("condition: comparisons, joined by `and`, `or`, `not`", "условие: сравнения, соединённые `and`, `or`, `not`"),
+        "\"abs(mean(phi', 20 s, 30 s) - 200 [rad/s]) < 5 [rad/s]\"",
+    )],
+    example: "[regimes]\ncaptured_x = \"abs(mean(phi', 20 s, 30 s) - 200 [rad/s]) < 5 [rad/s]\"\nhangs = \"max(abs(phi'), 20 s, 30 s) < 1 [rad/s]\"\n",
 };
 
 /// `[[phases]]`.

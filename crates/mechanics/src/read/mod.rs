@@ -18,6 +18,7 @@ mod phases;
 mod plane;
 mod ranges;
 mod raw;
+mod regimes;
 mod report;
 mod sections;
 mod shapes;
@@ -132,6 +133,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let acting = reader.builder.used.clone();
     let outputs = outputs::resolve(reader, outputs);
     let events = events::read(reader, &top);
+    let regimes = regimes::read(reader, &top);
     let claims = claims::read(reader, &top);
     let mut structure = structure(reader, &top, gravity.structure, (&coordinates, &acting));
     let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
@@ -167,6 +169,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         connections,
         outputs,
         events,
+        observed: std::mem::take(&mut reader.observed),
+        regimes,
         claims,
         notation,
         sections,

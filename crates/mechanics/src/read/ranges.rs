@@ -5,6 +5,8 @@
 use crate::model::{Model, SweepRange};
 use crate::units::{Dimension, parse_number_or_quantity, parse_unit, si_label, si_label_ru};
 use algebra::elementary;
+use algebra::random::Random;
+use std::f64::consts::TAU;
 use std::ops::Range as Span;
 use words::{Notice, Place};
 
@@ -63,7 +65,7 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Notice> {
     };
     let Some(unit) = parameter.or_else(coordinate) else {
         let names = model.parameters.iter().map(|p| p.name.as_str()).chain(model.coordinates.iter().map(|c| c.name.as_str()));
-        return Err(unknown_name(&range, words::nearest(&range.name, names)));
+        return Err(unknown_name(&range.name, range.named.clone(), words::nearest(&range.name, names)));
     };
     if let Ok(unit) = parse_unit(unit) {
         range.fits(&unit.dimension, model.scaled.get(&range.name))?;
@@ -71,13 +73,12 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Notice> {
     Ok(SweepRange { name: range.name, values: range.values })
 }
 
-/// The fault of a name that cannot be swept.
-pub(super) fn unknown_name(range: &Range, near: Option<&str>) -> Notice {
-    let name = range.name.as_str();
+/// The fault of a name that cannot be given other values.
+pub(super) fn unknown_name(name: &str, span: Span<usize>, near: Option<&str>) -> Notice {
     let shown = crate::reader::short(name);
     let fault = Notice::piece(
         "M068",
-        range.named.clone(),
+        span,
         format!("the model has no parameter or coordinate `{shown}`"),
         format!("в модели нет параметра или координаты `{shown}`"),
     );
@@ -115,6 +116,14 @@ pub(super) fn parse(text: &str) -> Result<Range, Notice> {
             let (ends, dimension) = two(from, to, &whole)?;
             (by_factors(ends, number_of(count, &whole)?, &whole)?, dimension)
         }
+        ("uniform", [from, to, count, seed]) => {
+            let (ends, dimension) = two(from, to, &whole)?;
+            (uniform(ends, number_of(count, &whole)?, seed_of(seed, &whole)?), dimension)
+        }
+        ("normal", [mean, deviation, count, seed]) => {
+            let (both, dimension) = two(mean, deviation, &whole)?;
+            (normal(both, number_of(count, &whole)?, seed_of(seed, &whole)?), dimension)
+        }
         ("", items) => {
             if separator == ',' && decimal_comma(inner, items) {
                 return Err(comma(whole));
@@ -129,6 +138,27 @@ pub(super) fn parse(text: &str) -> Result<Range, Notice> {
     let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let bare = items.iter().take(given).copied().find(|item| is_bare(item)).map(str::to_owned);
     Ok(Range { name, values, dimension, bare, named, whole })
+}
+
+/// Reads a stretch, `m=2 g..60 g`: its two ends, the first smaller.
+pub(super) fn stretch(text: &str) -> Result<Range, Notice> {
+    let whole = 0..text.len();
+    let no_stretch = || {
+        Notice::piece("M070", whole.clone(), "this is no stretch between two values", "это не промежуток между двумя значениями")
+            .help("write \"m=2 g..60 g\", the smaller value first", "напишите \"m=2 г..60 г\", меньшее значение первым")
+    };
+    let parts = text.split_once('=').and_then(|(name, ends)| Some((name, ends.split_once("..").or_else(|| ends.split_once('…'))?)));
+    let Some((name, (from, to))) = parts.filter(|(name, _)| !name.trim().is_empty()) else { return Err(no_stretch()) };
+    let start = name.len() - name.trim_start().len();
+    let name = name.trim().to_owned();
+    let (values, dimension) = two(from, to, &whole)?;
+    if values[0] >= values[1] {
+        return Err(no_stretch());
+    }
+    let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
+    let bare = [from.trim(), to.trim()].into_iter().find(|item| is_bare(item)).map(str::to_owned);
+    let named = start..start + name.len();
+    Ok(Range { name, values: values.to_vec(), dimension, bare, named, whole })
 }
 
 /// Whether a comma between two digits leaves a bare number beside values with units: `1,5 kg, 2 kg`.
@@ -194,6 +224,35 @@ fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Notice> {
     })
 }
 
+fn seed_of(text: &str, whole: &Span<usize>) -> Result<u64, Notice> {
+    text.parse().map_err(|_| {
+        Notice::piece(
+            "M070",
+            whole.clone(),
+            format!("`{}` is no seed: a whole number that is not negative", crate::reader::short(text)),
+            format!("`{}` — не начальное число датчика: нужно целое неотрицательное", crate::reader::short(text)),
+        )
+    })
+}
+
+/// Values drawn between two ends, each of them as likely; the same seed gives the same values.
+fn uniform([from, to]: [f64; 2], count: usize, seed: u64) -> Vec<f64> {
+    let mut random = Random::new(seed);
+    (0..count).map(|_| random.between(from, to)).collect()
+}
+
+/// Values with a normal distribution: z = sqrt(-2 ln u) cos 2 pi v, of pairs of numbers 0 < u <= 1 and 0 <= v < 1.
+///
+/// *Source*: G. E. P. Box, M. E. Muller, A note on the generation of random normal deviates, Ann. Math. Stat. 29 (1958) 610.
+fn normal([mean, deviation]: [f64; 2], count: usize, seed: u64) -> Vec<f64> {
+    let mut random = Random::new(seed);
+    let mut one = || {
+        let (u, v) = (1.0 - random.between(0.0, 1.0), random.between(0.0, TAU));
+        mean + deviation * (-2.0 * elementary::ln(u)).sqrt() * elementary::cos(v)
+    };
+    (0..count).map(|_| one()).collect()
+}
+
 /// Values at equal distances.
 fn evenly([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     between([from, to], count, |part| from + (to - from) * part)
@@ -222,14 +281,14 @@ fn between([from, to]: [f64; 2], count: usize, at: impl Fn(f64) -> f64) -> Vec<f
 
 fn no_range(span: Span<usize>) -> Notice {
     Notice::piece("M070", span, "this is no range of values", "это не набор значений").help(
-        "write \"v=linspace(1 m/s, 3 m/s, 21)\", \"v=logspace(1 N/m, 1 kN/m, 4)\" or \"m=1 kg, 2 kg\"",
-        "напишите \"v=linspace(1 м/с, 3 м/с, 21)\", \"c=logspace(1 Н/м, 1 кН/м, 4)\" или \"m=1 кг, 2 кг\"",
+        "write \"v=linspace(1 m/s, 3 m/s, 21)\", \"v=logspace(1 N/m, 1 kN/m, 4)\", \"m=1 kg, 2 kg\", \"m=uniform(1 kg, 2 kg, 100, 7)\" or \"m=normal(1 kg, 0.1 kg, 100, 7)\" (mean, deviation, number, seed)",
+        "напишите \"v=linspace(1 м/с, 3 м/с, 21)\", \"c=logspace(1 Н/м, 1 кН/м, 4)\", \"m=1 кг, 2 кг\", \"m=uniform(1 кг, 2 кг, 100, 7)\" или \"m=normal(1 кг, 0.1 кг, 100, 7)\" (среднее, отклонение, число, начальное число датчика)",
     )
 }
 
 #[cfg(test)]
 mod tests {
-    use super::parse;
+    use super::{parse, stretch};
 
     #[test]
     fn ranges_hit_both_ends_exactly() {
@@ -240,6 +299,36 @@ mod tests {
         assert_eq!(parse("c = logspace(1 N/m; 1 kN/m; 4)").unwrap().values[3], 1000.0);
         assert_eq!(parse("m=1,5 kg; 2 kg").unwrap().values, [1.5, 2.0]);
         assert_eq!(parse("phi'=[0.1, 0.2]").unwrap().name, "phi'");
+    }
+
+    /// Mean and deviation of 20 000 draws, each within five times its own deviation; the seed decides.
+    #[test]
+    fn draws_have_their_distribution_and_repeat() {
+        let n = 20_000;
+        for (text, mean, deviation) in
+            [("m=uniform(1 kg, 3 kg, 20000, 7)", 2.0, 1.0 / 3.0_f64.sqrt()), ("m=normal(5 kg, 0.5 kg, 20000, 7)", 5.0, 0.5)]
+        {
+            let values = parse(text).unwrap().values;
+            assert_eq!(values, parse(text).unwrap().values);
+            assert_ne!(values, parse(&text.replace(", 7)", ", 8)")).unwrap().values);
+            let (count, sum) = (f64::from(n), values.iter().sum::<f64>());
+            let spread = (values.iter().map(|v| (v - sum / count) * (v - sum / count)).sum::<f64>() / count).sqrt();
+            assert!(values.len() == 20_000 && (sum / count - mean).abs() < 5.0 * deviation / count.sqrt(), "{text}: {}", sum / count);
+            // the deviation of a deviation is less than that of a mean
+            assert!((spread - deviation).abs() < 5.0 * deviation / count.sqrt(), "{text}: {spread}");
+        }
+        for text in ["m=uniform(1 kg, 3 kg, 20)", "m=normal(1 kg, 3 kg, 20, -1)", "m=normal(1 kg, 3 s, 20, 1)"] {
+            assert!(parse(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_stretch_has_two_ascending_ends() {
+        let range = stretch("m = 2 g..60 g").unwrap();
+        assert_eq!((range.name.as_str(), range.values), ("m", vec![0.002, 0.06]));
+        for (text, code) in [("m=2 g", "M070"), ("m=2 g..1 g", "M070"), ("=1..2", "M070"), ("m=1 g..2 s", "M025")] {
+            assert_eq!(stretch(text).err().map(|f| f.code), Some(code), "{text}");
+        }
     }
 
     #[test]

@@ -81,7 +81,7 @@ static EVERYTHING: Kind = Kind::new("everything", ("", ""))
         key("along", Takes::Varied),
         key("load", Takes::Name),
         key("outputs", Takes::Results),
-        key("observe", Takes::Names),
+        key("observe", Takes::Observed),
         key("plot", Takes::Plots),
         key("guess", Takes::Guess),
         key("with", Takes::Driven("over")),

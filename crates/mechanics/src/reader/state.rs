@@ -5,7 +5,7 @@ use super::evaluate::Values;
 use super::syntax::Value;
 use super::wording::{short, wrong_type};
 use crate::formula::{self, Builder, Context, Depends, Formula, Kind, KinematicFunction, Scope, check, lower};
-use crate::model::{ParameterDecl, Premise, Reliance};
+use crate::model::{ObservedDecl, ParameterDecl, Premise, Reliance};
 use crate::snippet::{Site, Snippet};
 use crate::units::{self, Dimension, Quantity, Unit, mismatch, mismatch_of_number};
 use std::borrow::Cow;
@@ -43,6 +43,8 @@ pub(crate) struct Reader<'a> {
     pub values: Values,
     /// Free lengths that statics decide.
     rests: Vec<ParameterDecl>,
+    /// Formulas of the motion that studies observe.
+    pub observed: Vec<ObservedDecl>,
     /// Nodes, rods and loads of a structure, as far as they are read.
     pub structure: Draft,
 }
@@ -89,6 +91,7 @@ impl<'a> Reader<'a> {
             scope: Scope::default(),
             values: Values::default(),
             rests: Vec::new(),
+            observed: Vec::new(),
             structure: Draft::default(),
         }
     }

@@ -28,7 +28,7 @@ pub fn heading(table: &TableSpec, language: Language) -> String {
         "" => pick(language, ("Top level", "Верхний уровень")).to_owned(),
         "text" => pick(language, ("Text in two languages", "Текст на двух языках")).to_owned(),
         "study" | "phases" | "claims" | "answers" => format!("`[[{name}]]`"),
-        "parameters" | "coordinates" | "points" | "outputs" | "variants" | "report" | "structure" => format!("`[{name}]`"),
+        "parameters" | "coordinates" | "points" | "outputs" | "regimes" | "variants" | "report" | "structure" => format!("`[{name}]`"),
         "inertia" | "plot" | "wound" | "circle" | "parts" => format!("{} `{name}`", pick(language, ("Table", "Таблица"))),
         _ => format!("`[{name}.{}]`", pick(language, ("NAME", "ИМЯ"))),
     }

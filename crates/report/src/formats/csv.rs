@@ -48,7 +48,13 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
         }
         push_cell(&mut out, &format!("{name} [{}]", column.quantity.unit), separator);
     }
+    // why a row has no numbers; in English, as names are
+    if !data.reasons.is_empty() {
+        out.push(separator);
+        push_cell(&mut out, "reason", separator);
+    }
     out.push(b'\n');
+    let mut reasons = data.reasons.iter().peekable();
     for i_row in 0..n_rows {
         for (i, column) in data.columns.iter().enumerate() {
             if i > 0 {
@@ -56,6 +62,12 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
             }
             if let Some(&x) = column.values.get(i_row) {
                 push_number(&mut out, x, dialect);
+            }
+        }
+        if !data.reasons.is_empty() {
+            out.push(separator);
+            if let Some((_, words)) = reasons.next_if(|(row, _)| *row == i_row) {
+                push_cell(&mut out, &words.en, separator);
             }
         }
         out.push(b'\n');

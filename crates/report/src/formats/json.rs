@@ -91,6 +91,10 @@ fn head(data: &Dataset, language: Language) -> Map<String, Value> {
         let one = |s: &Stated| json!({"name": s.column, "missing": s.missing.key(), "words": language.text(&s.words)});
         head.insert("stated".into(), data.stated.iter().map(one).collect());
     }
+    if !data.reasons.is_empty() {
+        let one = |(row, words): &(usize, words::Text)| json!({"row": row, "what": language.text(words)});
+        head.insert("reasons".into(), data.reasons.iter().map(one).collect());
+    }
     let means: Map<String, Value> =
         data.overall.iter().filter(|o| o.mean().is_finite()).map(|o| (name(data, o.column).to_owned(), json!(o.mean()))).collect();
     if !means.is_empty() {

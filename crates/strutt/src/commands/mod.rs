@@ -8,6 +8,7 @@ mod equations;
 mod examples;
 mod explain;
 mod gallery;
+mod merge;
 mod new;
 mod paper;
 mod run;
@@ -36,6 +37,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Scheme(args) => scheme::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::Gallery(args) => gallery::run(&args, console),
+        Command::Merge(args) => merge::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),
         Command::Completions(args) => completions::run(&args, console),

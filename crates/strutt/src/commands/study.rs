@@ -11,8 +11,11 @@ use report::Document;
 use report::formats::Holds;
 use std::path::{Path, PathBuf};
 use strutt::folder;
+use strutt::rows::Rows;
 use strutt::wording::Word;
+use studies::failure::Misuse;
 use studies::pipeline::{self, Calculation, Machine};
+use studies::watch::Keeper;
 use studies::{Alone, Extra, Finds, Given, Interrupts, Study};
 use studies::{Extent, Failure, Next, Results, Source, document};
 use words::{Notice, Place};
@@ -39,10 +42,18 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let values = line.values(&machine, (&base, fresh))?;
     let asked = study.merge(&machine, Given { written, of_file, line: &values, drawn: out.is_some() })?;
     let wants = |extra: Extra| study.extras().contains(&extra) && matches.get_flag(name_of(extra));
+    let shard = if study.extras().contains(&Extra::Shard) { shard(matches)? } else { None };
+    let keeps = study.extras().contains(&Extra::Resume);
+    let mut rows = out.as_deref().filter(|_| keeps).map(|out| Rows::open(out, wants(Extra::Resume))).transpose()?;
     let results = console.watched(|watch| {
+        watch.shard = shard;
+
         watch.halve_tolerance = wants(Extra::HalveTolerance);
         watch.check = wants(Extra::Check);
-        study.command(&mut machine, &asked, watch)
+        watch.threads = if study.extras().contains(&Extra::Threads) { threads(matches) } else { 1 };
+        watch.spread = Some(spread);
+        let keeper = rows.as_mut().map(|rows| rows as &mut dyn Keeper);
+        study.command(&mut machine, &asked, &mut watch.with_keeper(keeper))
     });
     let Some(results) = results else { return Ok(Exit::Done) };
     let view = View {
@@ -52,7 +63,28 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
         events: wants(Extra::Events),
         switches: wants(Extra::Switches),
     };
-    finish(machine, results, &view, console)
+    let finished = results.trouble.is_none() && !results.data.partial;
+    let exit = finish(machine, results, &view, console)?;
+    if let Some(rows) = rows.filter(|rows| finished && shard.is_none() || !rows.holds()) {
+        rows.remove();
+    }
+    Ok(exit)
+}
+
+/// `2/8`: the second of eight parts.
+fn shard(matches: &ArgMatches) -> Result<Option<[usize; 2]>, Failure> {
+    let Some(text) = matches.get_one::<String>(name_of(Extra::Shard)) else { return Ok(None) };
+    let parts = text.split_once('/').and_then(|(i, n)| Some([i.trim().parse().ok()?, n.trim().parse().ok()?]));
+    match parts {
+        Some([part, parts]) if (1..=parts).contains(&part) => Ok(Some([part, parts])),
+        _ => Err(Notice::new(
+            "C009",
+            format!("--shard {text}: this is no part of several"),
+            format!("--shard {text}: это не часть из нескольких"),
+        )
+        .help("write --shard 2/8 for the second of eight", "напишите --shard 2/8: вторая из восьми")
+        .misuse()),
+    }
 }
 
 fn name_of(extra: Extra) -> &'static str {
@@ -61,7 +93,21 @@ fn name_of(extra: Extra) -> &'static str {
         Extra::Check => "check",
         Extra::Events => "events",
         Extra::Switches => "switches",
+        Extra::Threads => "threads",
+        Extra::Resume => "resume",
+        Extra::Shard => "shard",
     }
+}
+
+/// A work on so many threads at once.
+fn spread(threads: usize, work: &(dyn Fn() + Sync)) {
+    std::thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(work))));
+}
+
+/// How many runs at a time: as many as there are processors, unless said otherwise.
+fn threads(matches: &ArgMatches) -> usize {
+    let given = matches.get_one::<u16>(name_of(Extra::Threads)).map(|n| usize::from(*n));
+    given.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
 }
 
 /// The study among those of the file whose values the command takes.

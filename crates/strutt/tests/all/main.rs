@@ -23,6 +23,7 @@ mod same_bits;
 mod schemes;
 mod stability;
 mod studies;
+mod sweeps;
 mod tutorial;
 mod variants;
 mod virtual_work;

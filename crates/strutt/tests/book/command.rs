@@ -148,6 +148,7 @@ impl Command {
             method: Default::default(),
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
+            windows: Vec::new(),
         };
         let study = studies::transient::Transient { motion, linearise: self.linearise };
         let (results, phases) = studies::transient::solved(machine, &study, &mut Watch::default());

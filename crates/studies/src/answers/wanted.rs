@@ -1,6 +1,6 @@
 //! What the `value` of an answer means: a number of a study, the instant of something, an output at an instant.
 
-use crate::observable::{Observable, Side};
+use crate::observable::Observable;
 use mechanics::units::{Dimension, parse_quantity};
 use words::Text;
 
@@ -13,6 +13,15 @@ pub enum Wanted {
     Instant(Moment),
     /// An output, coordinate or rate at an instant of a motion.
     At(String, Moment, Edge),
+}
+
+/// Which end of a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Least value.
+    Least,
+    /// Greatest value.
+    Greatest,
 }
 
 /// An instant of a motion.
@@ -59,7 +68,14 @@ impl Wanted {
                 format!("`{text}` — функция времени: какое её число нужно?"),
             ));
         }
-        let number = match Observable::read(text, &|_| false).into_iter().next() {
+        let found = Observable::read(text, &|_| false).map_err(|fault| fault.what.clone())?;
+        if found.iter().filter_map(Observable::reduced).any(|reduced| reduced.window.is_some()) {
+            return Err(Text::new(
+                "an answer is a number of the whole motion: windows are for what repeats a study",
+                "ответ — число всего движения: окна есть у того, что повторяет расчёт",
+            ));
+        }
+        let number = match found.into_iter().next() {
             Some(Observable::Field(_)) | None => Observable::field(&from_zero(text)?),
             Some(other) => other,
         };
@@ -147,7 +163,7 @@ mod tests {
     fn questions_have_their_meaning() {
         assert_eq!(read("modes.1.f", None), Ok(Wanted::Number(Observable::field("modes.0.f"))));
         assert_eq!(read("period", None), Ok(Wanted::Number(Observable::field("period"))));
-        assert_eq!(read("max(x')", None), Ok(Wanted::Number(Observable::Extreme(Side::Greatest, "x'".into()))));
+        assert_eq!(read("max(x')", None), Ok(Wanted::Number(Observable::of_quantity(analysis::reduce::Reduction::Max, "x'"))));
         assert_eq!(read("when_min(S)", None), Ok(Wanted::Instant(Moment::Extreme(Side::Least, "S".into()))));
         assert_eq!(read("event(2)", None), Ok(Wanted::Instant(Moment::Event(None, 2))));
         assert_eq!(read("event(top)", None), Ok(Wanted::Instant(Moment::Event(Some("top".into()), 1))));

@@ -67,6 +67,7 @@ pub fn lay(machine: &Machine) -> Result<Laid, Notice> {
     let claims: Vec<Terms> = machine.model.claims.iter().map(|c| terms_of(&mut model, &c.kind, &own)).collect();
     model.outputs.clear();
     model.events.clear();
+    model.observed.clear();
     for (i, terms) in claims.iter().enumerate() {
         for (k, formula) in terms.all().enumerate() {
             let name = output_name(i, k);

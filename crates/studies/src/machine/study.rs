@@ -141,6 +141,12 @@ pub enum Extra {
     Events,
     /// Rows at switches.
     Switches,
+    /// So many runs at a time.
+    Threads,
+    /// On from where an earlier run ended.
+    Resume,
+    /// One part of several.
+    Shard,
 }
 
 /// What becomes of a study that is interrupted.

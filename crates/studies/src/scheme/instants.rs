@@ -26,6 +26,7 @@ pub fn at_time(machine: &mut Machine, time: f64, watch: &mut Watch) -> Result<In
         method: analysis::integrate::stiff::Method::default(),
         outputs: machine.system_states(),
         plots: Vec::new(),
+        windows: Vec::new(),
     };
     let results = simulate::motion(machine, &study, watch);
     let rows = results.data.columns.first().map_or(0, |c| c.values.len());

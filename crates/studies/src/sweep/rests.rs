@@ -1,7 +1,7 @@
 //! Where places of rest change between neighbouring values of a sweep: other contacts are closed, another verdict, other places.
 
-use super::repeated::{Repeated, one};
 use crate::machine::Machine;
+use crate::repeat::{At, Repeated, one};
 use crate::watch::Watch;
 use analysis::studies::rest::changes::written;
 use analysis::studies::rest::contacts::SLACK;
@@ -18,9 +18,9 @@ const HALVINGS: usize = 60;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Stand {
     /// Contacts that press.
-    closed: Vec<String>,
+    pub(super) closed: Vec<String>,
     /// 1 stable, 0 unstable, none undecided.
-    stable: Option<bool>,
+    pub(super) stable: Option<bool>,
 }
 
 /// The places at one value; none where none was found.
@@ -42,20 +42,20 @@ pub(super) fn stands(machine: &Machine, data: &Dataset) -> Stands {
 }
 
 /// Remarks on what changes between neighbouring values of the only parameter of a sweep, located by halving.
-pub(super) fn remarks(machine: &mut Machine, repeated: &Repeated<'_>, parameter: &Quantity, seen: &[(f64, Stands)]) -> Vec<(f64, Text)> {
+pub(super) fn remarks(at: &mut At, repeated: &Repeated, parameter: &Quantity, seen: &[(f64, Stands)]) -> Vec<(f64, Text)> {
     let pairs = seen.windows(2).filter(|pair| pair[0].1 != pair[1].1).take(MOST);
-    pairs.map(|pair| remark(machine, repeated, parameter, pair)).collect()
+    pairs.map(|pair| remark(at, repeated, parameter, pair)).collect()
 }
 
-fn remark(machine: &mut Machine, repeated: &Repeated<'_>, parameter: &Quantity, pair: &[(f64, Stands)]) -> (f64, Text) {
+fn remark(at: &mut At, repeated: &Repeated, parameter: &Quantity, pair: &[(f64, Stands)]) -> (f64, Text) {
     let (mut low, mut high) = (pair[0].clone(), pair[1].clone());
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low.0 + high.0);
         if middle == low.0 || middle == high.0 {
             break;
         }
-        let finding = one((machine, &mut 0), repeated, &[(parameter.name.clone(), middle)], &mut None, &mut Watch::default());
-        let there = finding.ok().and_then(|f| stands(machine, &f.data));
+        let finding = one(at.forgetful(), repeated, &[(parameter.name.clone(), middle)], &mut Watch::default());
+        let there = finding.ok().and_then(|f| stands(&at.machine, &f.data));
         if there == low.1 { low.0 = middle } else { high = (middle, there) }
     }
     // a contact that is about to close presses by less than rounding still

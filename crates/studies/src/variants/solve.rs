@@ -1,10 +1,11 @@
 //! The right numbers of one machine: every answer from the studies of the file, in the unit of its question.
 
 use crate::answers::meaning;
+use crate::answers::wanted::Side;
 use crate::answers::wanted::{Edge, Moment, Wanted};
 use crate::failure::Failure;
 use crate::machine::Machine;
-use crate::observable::{Observable, Side};
+use crate::observable::Observable;
 use crate::results::Results;
 use crate::watch::Watch;
 use analysis::Dataset;

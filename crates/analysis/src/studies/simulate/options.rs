@@ -8,6 +8,7 @@ use crate::integrate::stiff::Method;
 use crate::integrate::taylor::check_tolerance;
 use crate::marks::named::Named;
 use crate::marks::pushes::Push;
+use crate::marks::windows::Window;
 use crate::{Fault, Quantity};
 use words::digits::number;
 
@@ -41,6 +42,8 @@ pub struct Simulate<'a> {
     pub pushes: Vec<Push>,
     /// Outputs among those shown that are powers: their integrals are compared with the energy.
     pub works: Vec<String>,
+    /// Outputs of which least, greatest and mean values between two instants are wanted.
+    pub windows: Vec<Window>,
     /// Order of the Taylor polynomials; absent: as the tolerance and the motion ask.
     pub order: Option<usize>,
     /// Run again with other steps and see which digits hold.
@@ -73,6 +76,7 @@ impl Simulate<'_> {
             events: Vec::new(),
             pushes: Vec::new(),
             works: Vec::new(),
+            windows: Vec::new(),
             order: None,
             check: false,
             tolerance_halving: false,

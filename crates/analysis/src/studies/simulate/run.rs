@@ -24,6 +24,7 @@ use crate::integrate::taylor::{Flow, Options, Work};
 use crate::marks::extremes::Extremes;
 use crate::marks::named::Watcher;
 use crate::marks::pushes::Pushes;
+use crate::marks::windows::Windows;
 use crate::{Fault, GuardKind, Mode, Quantity, System};
 use words::digits::rounded;
 
@@ -66,6 +67,7 @@ pub(super) struct Run {
     pub(super) shared: Shared,
     pub(super) rivals: rivals::Rivals,
     pub(super) extremes: Extremes,
+    pub(super) windows: Windows,
     pub(super) named: Watcher,
     pub(super) pushes: Pushes,
     /// Event that ended the motion.
@@ -140,7 +142,8 @@ impl Run {
     pub(super) fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
         check(options)?;
         let chosen = choose(system.outputs(), options.outputs.as_deref())?;
-        let watched = options.events.iter().map(|e| e.output);
+        let windows = Windows::new(system, &options.windows, (options.until, options.tolerance))?;
+        let watched = options.events.iter().map(|e| e.output).chain(windows.outputs());
         if let Some(fault) = chosen.iter().copied().chain(watched).find_map(|i| system.refusal(i)) {
             return Err(fault);
         }
@@ -172,6 +175,7 @@ impl Run {
             shared: Shared::default(),
             rivals: rivals::Rivals::default(),
             extremes: Extremes::new(system, &chosen, options.tolerance),
+            windows,
             named: Watcher::new(&options.events),
             pushes: Pushes::new(&options.pushes.iter().filter(|p| system.refusal(p.output).is_none()).cloned().collect::<Vec<_>>()),
             ended: None,
@@ -189,7 +193,8 @@ impl Run {
     pub(super) fn integrate<S: System + ?Sized>(&mut self, system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Result<(), Fault> {
         let end = options.until;
         let mut shown = self.chosen.clone();
-        let watched = options.events.iter().map(|e| e.output).chain(self.pushes.list().iter().map(|p| p.output));
+        let watched =
+            options.events.iter().map(|e| e.output).chain(self.pushes.list().iter().map(|p| p.output)).chain(self.windows.outputs());
         shown.extend(watched.filter(|i| !self.chosen.contains(i)));
         system.show(&shown)?;
         system.placed(0.0, start)?;
@@ -330,7 +335,13 @@ impl Run {
 
     /// What is to be said of quantities that could not be followed between the rows.
     pub(super) fn lost<S: System + ?Sized>(&self, system: &S) -> Option<Text> {
-        let lost = self.extremes.lost().into_iter().map(|j| self.chosen[j]).filter(|i| system.is_shared(*i).is_none());
+        let mut lost: Vec<usize> = self.extremes.lost().into_iter().map(|j| self.chosen[j]).collect();
+        for i in self.windows.lost() {
+            if !lost.contains(&i) {
+                lost.push(i);
+            }
+        }
+        let lost = lost.into_iter().filter(|i| system.is_shared(*i).is_none());
         let outputs = lost.map(|i| system.outputs()[i].name.clone());
         let events = self.named.lost().into_iter().map(|i| self.named.events()[i].name.clone());
         untraced(&outputs.chain(events).collect::<Vec<_>>())
@@ -412,6 +423,7 @@ impl Run {
             contacts: self.contacts,
             extremes: self.extremes.found(),
             overall: self.extremes.overall(),
+            windows: self.windows.found(),
             struck: self.struck,
             rounding: self.rounding.map(|r| std::iter::once(0.0).chain(r).collect()).unwrap_or_default(),
             counters,

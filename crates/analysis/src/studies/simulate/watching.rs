@@ -33,6 +33,7 @@ impl Run {
         } else {
             self.audit(step, system, length);
         }
+        self.windows.look(step, system, length);
         self.shared.look(system, step);
         if let Some(stop) = &stop {
             self.ended = Some((step.instant(stop.tau).high, stop.event));

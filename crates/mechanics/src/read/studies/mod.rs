@@ -3,6 +3,7 @@
 
 mod frequencies;
 mod names;
+pub(super) mod observed;
 mod plot;
 mod repeated;
 mod times;
@@ -139,10 +140,19 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
             let wanted = named(reader, before.get(over)?);
             frequencies::ascending(reader, raw, wanted.as_ref()).map(|ends| Value::Numbers(ends.to_vec()))
         }
+        Takes::Between(over) => {
+            let (name, wanted) = (before.word(over)?.to_owned(), named(reader, before.get(over)?));
+            let ends = frequencies::ascending(reader, raw, wanted.as_ref())?;
+            repeated::with_units(reader, raw, &name).then(|| Value::Numbers(ends.to_vec()))
+        }
+        Takes::Changed => {
+            let (name, span) = fields.name(reader, name)?;
+            repeated::changed(reader, &name, span).map(|_| Value::Word(name))
+        }
         Takes::FrequencyRange => frequencies::band(reader, raw).map(|ends| Value::Numbers(ends.to_vec())),
         Takes::Frequencies => Some(Value::Numbers(frequencies::quantities(reader, raw, Some(&Dimension::ANGULAR_RATE)))),
         Takes::Results => Some(Value::Words(names::outputs(reader, raw))),
-        Takes::Names => Some(Value::Words(repeated::one_or_many(reader, raw))),
+        Takes::Observed => Some(Value::Words(observed::read(reader, raw))),
         Takes::Plots => Some(Value::Plots(plots(reader, raw, Axis::Time))),
         Takes::OwnPlots => Some(Value::Plots(plots(reader, raw, Axis::Over))),
         Takes::Guess => Some(Value::Guess(names::guess(reader, fields, name))),
@@ -154,15 +164,17 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
         Takes::Formulas => Some(Value::Formulas(formulas(reader, raw))),
         Takes::FrequencyVariable => frequencies::variable(reader, fields, name).map(Value::Variable),
         Takes::Ranges => Some(Value::Ranges(repeated::ranges(reader, raw))),
+        Takes::Stretch => repeated::stretch(reader, raw).map(|range| Value::Ranges(vec![range])),
         Takes::Repeatable => repeated::kind(reader, fields, (name, kinds)).map(Value::Word),
     }
 }
 
-/// The dimension of a coordinate or parameter that another key names.
+/// The dimension of a coordinate, parameter or observed number that another key names.
 fn named(reader: &Reader<'_>, value: &Value) -> Option<Dimension> {
     match value {
         Value::Coordinate(named) => named.dimension,
-        Value::Word(parameter) => known(reader.scope.get(parameter).map(|e| e.dimension)),
+        Value::Word(name) => repeated::dimension(reader, name),
+        Value::Words(texts) => observed::dimension(reader, texts.first()?),
         _ => None,
     }
 }

@@ -1,0 +1,115 @@
+//! The file in which a sweep keeps its rows until it is finished.
+
+use crate::files;
+use std::fs::{self, File, OpenOptions};
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use studies::Failure;
+use studies::failure::Misuse;
+use studies::watch::Keeper;
+use words::Notice;
+
+/// Its name.
+pub const NAME: &str = "sweep.rows";
+
+/// The file, which no other run writes meanwhile.
+#[derive(Debug)]
+pub struct Rows {
+    path: PathBuf,
+    file: File,
+    lines: Vec<String>,
+}
+
+impl Rows {
+    /// Opens the file of a folder, which it makes when there is none.
+    ///
+    /// # Errors
+    /// There are rows of an earlier run, and nobody asked to go on with them (C074); another run writes there (C075); the disk refuses (C005).
+    pub fn open(folder: &Path, resume: bool) -> Result<Rows, Failure> {
+        fs::create_dir_all(folder).map_err(|error| files::refused(folder, &error))?;
+        let path = folder.join(NAME);
+        let refused = |error: &std::io::Error| files::refused(&path, error);
+        let mut file =
+            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(|error| refused(&error))?;
+        if matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)) {
+            return Err(busy(&path).misuse());
+        }
+        // by the same handle: some systems let no other read what is locked
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).map_err(|error| refused(&error))?;
+        let lines = lines(&bytes);
+        if !resume && !lines.is_empty() {
+            return Err(there(&path).misuse());
+        }
+        Ok(Rows { path, file, lines })
+    }
+
+    /// Whether there is anything in it.
+    pub fn holds(&self) -> bool {
+        self.file.metadata().is_ok_and(|found| found.len() > 0)
+    }
+
+    /// Takes the file away: what it held is written elsewhere.
+    pub fn remove(self) {
+        drop(self.file);
+        // a file that stays says again what the tables say
+        let _ = fs::remove_file(&self.path);
+    }
+
+    fn refused(&self, error: &std::io::Error) -> Notice {
+        *files::refused(&self.path, error)
+    }
+}
+
+/// The lines of a file, the last perhaps torn.
+///
+/// # Errors
+/// It cannot be read.
+pub fn read(path: &Path) -> std::io::Result<Vec<String>> {
+    fs::read(path).map(|bytes| lines(&bytes))
+}
+
+fn lines(bytes: &[u8]) -> Vec<String> {
+    let mut lines: Vec<String> = String::from_utf8_lossy(bytes).lines().map(str::to_owned).collect();
+    // a line is whole when it has its end
+    if !bytes.ends_with(b"\n")
+        && let Some(last) = lines.last_mut()
+    {
+        last.clear();
+    }
+    lines
+}
+
+impl Keeper for Rows {
+    fn lines(&self) -> &[String] {
+        &self.lines
+    }
+
+    fn cut(&mut self, lines: usize) -> Result<(), Notice> {
+        // whole lines end with one more byte
+        let length: u64 = self.lines.iter().take(lines).map(|line| line.len() as u64 + 1).sum();
+        let done = self.file.set_len(length).and_then(|()| self.file.seek(SeekFrom::Start(length)));
+        self.lines = Vec::new();
+        done.map(|_| ()).map_err(|error| self.refused(&error))
+    }
+
+    fn add(&mut self, lines: &str) -> Result<(), Notice> {
+        self.file.write_all(lines.as_bytes()).and_then(|()| self.file.sync_data()).map_err(|error| self.refused(&error))
+    }
+}
+
+fn there(path: &Path) -> Notice {
+    let path = path.display();
+    Notice::new(
+        "C074",
+        format!("`{path}` holds rows of a run that was not finished"),
+        format!("в `{path}` лежат строки незаконченного запуска"),
+    )
+    .help("go on with --resume, or choose another folder with --out", "продолжите с ключом --resume или укажите другую папку ключом --out")
+}
+
+fn busy(path: &Path) -> Notice {
+    let path = path.display();
+    Notice::new("C075", format!("another run writes into `{path}`"), format!("в `{path}` пишет другой запуск"))
+        .help("wait for it, or choose another folder with --out", "дождитесь его или укажите другую папку ключом --out")
+}

@@ -1,0 +1,19 @@
+//! A study that others repeat with other values of the machine: which of the file's it is, what is noted of it, and its run at one place.
+
+mod asking;
+mod base;
+mod keys;
+pub mod many;
+mod number;
+mod one;
+pub mod regimes;
+mod repeated;
+mod wanted;
+
+pub use asking::Asks;
+pub use base::{moves, rests};
+pub use keys::{OF, inner, keys, quantity};
+pub use number::number;
+pub use one::{At, one};
+pub use repeated::Repeated;
+pub use wanted::{Noted, noted};

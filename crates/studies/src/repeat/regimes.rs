@@ -1,0 +1,44 @@
+//! The regime of a motion, by the conditions of the file.
+
+use crate::machine::Machine;
+use words::Notice;
+
+/// The numbers that the conditions ask for, each once.
+///
+/// # Errors
+/// The file has no regimes (S147).
+pub fn numbers(machine: &Machine) -> Result<Vec<String>, Notice> {
+    let mut texts: Vec<String> = Vec::new();
+    for (text, _) in machine.model.regimes.iter().flat_map(|regime| &regime.numbers) {
+        if !texts.contains(text) {
+            texts.push(text.clone());
+        }
+    }
+    if texts.is_empty() {
+        return Err(Notice::new("S147", "the file names no regimes", "в файле не заданы режимы").help(
+            "add [regimes] with a condition: fast = \"mean(phi', 20 s, 30 s) > 250 [rad/s]\"",
+            "добавьте [regimes] с условием: fast = \"mean(phi', 20 с, 30 с) > 250 [рад/с]\"",
+        ));
+    }
+    Ok(texts)
+}
+
+/// Which regime it is with these values of the numbers: the first whose condition holds, counted from 0; their number where none does.
+pub fn which(machine: &Machine, numbers: &[(String, f64)]) -> usize {
+    let regimes = &machine.model.regimes;
+    let parameter = |symbol| machine.equations.parameters.iter().find(|p| p.symbol == symbol).map_or(f64::NAN, |p| p.value);
+    let holds = |regime: &mechanics::model::RegimeDecl| {
+        let number = |symbol| {
+            let text = regime.numbers.iter().find(|(_, s)| *s == symbol).map(|(text, _)| text);
+            text.and_then(|text| numbers.iter().find(|(t, _)| t == text)).map(|(_, value)| *value)
+        };
+        let value = |symbol| number(symbol).unwrap_or_else(|| parameter(symbol));
+        machine.model.graph.evaluate(&[regime.holds], &value).first().is_some_and(|v| *v == 1.0)
+    };
+    regimes.iter().position(holds).unwrap_or(regimes.len())
+}
+
+/// The name of a regime by its number; none behind the last.
+pub fn name(machine: &Machine, which: usize) -> Option<&str> {
+    machine.model.regimes.get(which).map(|regime| regime.name.as_str())
+}
