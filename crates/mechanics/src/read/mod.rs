@@ -36,7 +36,7 @@ use crate::asked::Kinds;
 use crate::elements;
 use crate::fields;
 use crate::formula::KINEMATIC_FUNCTIONS;
-use crate::model::{Connection, CoordinateDecl, Element, Frame, Model, ParameterDecl, Point};
+use crate::model::{Connection, CoordinateDecl, Element, Frame, Model, ParameterDecl, Point, Premise};
 use crate::reader::syntax;
 use crate::reader::{Fields, Reader};
 use crate::section::Section;
@@ -139,7 +139,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
     let loads = phases::Loads { elements: &mut elements, on_structure: on_structure.collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
-    let (studies, mut of_studies) = reader.apart(|reader| kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default());
+    let (studies, of_studies) = reader.apart(|reader| kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default());
     let (variants, answers) = variants::read(reader, &top, &parameters);
     let report = report::read(reader, &top);
     let impacts = connections::impacts(reader, &top);
@@ -149,9 +149,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));
     parameters.extend(rests);
-    let mut premises = reader.premises();
-    of_studies.retain(|p| !premises.contains(p));
-    premises.extend(&of_studies);
+    let (premises, of_studies) = premises(reader, of_studies);
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
     Model {
@@ -189,6 +187,14 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         premises,
         of_studies,
     }
+}
+
+/// What numbers of the model rest on, those of studies last; and what only studies rest on.
+fn premises(reader: &mut Reader<'_>, mut of_studies: Vec<Premise>) -> (Vec<Premise>, Vec<Premise>) {
+    let mut premises = reader.premises();
+    of_studies.retain(|p| !premises.contains(p));
+    premises.extend(&of_studies);
+    (premises, of_studies)
 }
 
 /// What formulas name: parameters, coordinates, and the outputs before their formulas are checked.

@@ -250,7 +250,7 @@ fn bracket(
     let mut kept: Option<usize> = None;
     for _ in 0..MOST {
         let [low, high] = found.shares;
-        let small = values.iter().any(|v| *v == 0.0);
+        let small = values.contains(&0.0);
         if small || high - low <= enough {
             break;
         }
