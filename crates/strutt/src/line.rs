@@ -29,8 +29,9 @@ fn command(study: &dyn Study, language: Language) -> Command {
     command.arg(out).args(study.extras().iter().map(|extra| bare(*extra, language)))
 }
 
-fn bare(extra: Extra, language: Language) -> Arg {
-    let (name, (en, ru)) = match extra {
+/// Its name, and what it does.
+fn named(extra: Extra) -> (&'static str, (&'static str, &'static str)) {
+    match extra {
         Extra::HalveTolerance => (
             "halve_tolerance",
             (
@@ -80,19 +81,20 @@ fn bare(extra: Extra, language: Language) -> Arg {
                 "Только эта часть значений: 2/8 — вторая из восьми; объединяет их strutt merge",
             ),
         ),
-    };
+    }
+}
+
+fn bare(extra: Extra, language: Language) -> Arg {
+    let (name, (en, ru)) = named(extra);
     let arg = Arg::new(name).long(name.replace('_', "-")).help(language.pick(en, ru));
-    if extra == Extra::Shard {
-        return arg.value_name("I/N").requires("out");
+    let flag = || arg.clone().action(ArgAction::SetTrue);
+    match extra {
+        Extra::Shard => arg.value_name("I/N").requires("out"),
+        Extra::Threads => arg.value_name("N").value_parser(value_parser!(u16).range(1..)),
+        Extra::Resume => flag().requires("out"),
+        Extra::Events => flag().conflicts_with("switches"),
+        Extra::HalveTolerance | Extra::Check | Extra::Switches => flag(),
     }
-    if extra == Extra::Threads {
-        return arg.value_name("N").value_parser(value_parser!(u16).range(1..));
-    }
-    let arg = arg.action(ArgAction::SetTrue);
-    if extra == Extra::Resume {
-        return arg.requires("out");
-    }
-    if extra == Extra::Events { arg.conflicts_with("switches") } else { arg }
 }
 
 /// The name of a key's option.

@@ -12,6 +12,15 @@ use words::Notice;
 /// Its name.
 pub const NAME: &str = "sweep.rows";
 
+/// What becomes of rows of an earlier run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Earlier {
+    /// The run goes on behind them.
+    Resumed,
+    /// There must be none.
+    Refused,
+}
+
 /// The file, which no other run writes meanwhile.
 #[derive(Debug)]
 pub struct Rows {
@@ -25,7 +34,7 @@ impl Rows {
     ///
     /// # Errors
     /// There are rows of an earlier run, and nobody asked to go on with them (C074); another run writes there (C075); the disk refuses (C005).
-    pub fn open(folder: &Path, resume: bool) -> Result<Rows, Failure> {
+    pub fn open(folder: &Path, earlier: Earlier) -> Result<Rows, Failure> {
         fs::create_dir_all(folder).map_err(|error| files::refused(folder, &error))?;
         let path = folder.join(NAME);
         let refused = |error: &std::io::Error| files::refused(&path, error);
@@ -38,7 +47,7 @@ impl Rows {
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(|error| refused(&error))?;
         let lines = lines(&bytes);
-        if !resume && !lines.is_empty() {
+        if earlier == Earlier::Refused && !lines.is_empty() {
             return Err(there(&path).misuse());
         }
         Ok(Rows { path, file, lines })

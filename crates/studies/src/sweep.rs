@@ -256,35 +256,47 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
             progress((done - range.start) as f64 / range.len() as f64);
         }
     }
-    if shard != journal::WHOLE {
-        let (rows, from) = (range.len(), range.start + 1);
-        data.notes.push(Text::new(
-            format!("part {} of {}: {rows} of {count} values, from value {from} on", shard[0], shard[1]),
-            format!("часть {} из {}: значений {rows} из {count}, начиная с {from}-го", shard[0], shard[1]),
-        ));
-    }
-    let count = range.len();
-    let mut without = rows.tell(&mut data, results, count);
+    data.notes.extend(part_of(shard, &range, count));
+    let mut without = rows.tell(&mut data, results, range.len());
     if machine.origin.studies.finds(base.kind) == Finds::Rest && study.over.len() == 1 {
         let changes = rests::remarks(&mut start.clone(), &repeated, &rows.columns[0].quantity, &rows.stands);
         let list: Vec<Value> = changes.iter().map(|(value, what)| json!({"value": value, "what": what.en})).collect();
         results.own.insert("changes".into(), json!(list));
         data.notes.extend(changes.into_iter().map(|c| c.1));
     }
-    results.own.insert("of".into(), json!(base.kind));
     results.own.insert("read_anew".into(), json!(start.anew + rows.anew));
-    if study.of.is_none() && machine.model.studies.iter().filter(|s| repeat::moves(machine, s) || repeat::rests(machine, s)).count() > 1 {
-        let name = base.kind;
-        data.notes.push(Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")));
-    }
+    data.notes.extend(named(machine, study, base, results));
     if results.plots.is_empty() && study.over.len() == 1 {
-        let plot = |c: &Column| mechanics::model::Plot { title: Text::default(), x: None, y: vec![c.quantity.name.clone()] };
-        results.plots = rows.columns[rows.own..].iter().map(plot).collect();
+        results.plots = rows.columns[rows.own..].iter().map(drawn).collect();
     }
     without.extend(partly_absent(&rows.columns[rows.own..], &without));
     data.columns = rows.columns;
     without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
     Ok(data)
+}
+
+/// A column by itself.
+fn drawn(column: &Column) -> Plot {
+    Plot { title: Text::default(), x: None, y: vec![column.quantity.name.clone()] }
+}
+
+/// Which part of the values this is, where it is not all of them.
+fn part_of(shard: [usize; 2], range: &std::ops::Range<usize>, count: usize) -> Option<Text> {
+    let (rows, from) = (range.len(), range.start + 1);
+    (shard != journal::WHOLE).then(|| {
+        Text::new(
+            format!("part {} of {}: {rows} of {count} values, from value {from} on", shard[0], shard[1]),
+            format!("часть {} из {}: значений {rows} из {count}, начиная с {from}-го", shard[0], shard[1]),
+        )
+    })
+}
+
+/// The study that was repeated, in words where the file has several.
+fn named(machine: &Machine, study: &Sweep, base: &Asked, results: &mut Results) -> Option<Text> {
+    let name = base.kind;
+    results.own.insert("of".into(), json!(name));
+    let several = machine.model.studies.iter().filter(|s| repeat::moves(machine, s) || repeat::rests(machine, s)).count() > 1;
+    (study.of.is_none() && several).then(|| Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")))
 }
 
 /// Columns with numbers at some values only, of which nothing has been said.

@@ -93,7 +93,7 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 .help("write observe = \"mean(x, 20 s, 30 s)\"", "напишите observe = \"mean(x, 20 с, 30 с)\""),
         );
     }
-    if !asked.flag("regimes") && !(asked.has("observe") && asked.has("level")) {
+    if !(asked.flag("regimes") || asked.has("observe") && asked.has("level")) {
         found.push(
             Objection::whole(
                 "M071",

@@ -136,13 +136,11 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let regimes = regimes::read(reader, &top);
     let claims = claims::read(reader, &top);
     let mut structure = structure(reader, &top, gravity.structure, (&coordinates, &acting));
-    let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
-    let loads = phases::Loads { elements: &mut elements, on_structure: on_structure.collect() };
+    let loads = phases::Loads { elements: &mut elements, on_structure: structure.iter_mut().flat_map(|s| &mut s.loads).collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
     let (studies, of_studies) = reader.apart(|reader| kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default());
     let (variants, answers) = variants::read(reader, &top, &parameters);
-    let report = report::read(reader, &top);
-    let impacts = connections::impacts(reader, &top);
+    let (report, impacts) = (report::read(reader, &top), connections::impacts(reader, &top));
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
     let impending = unknowns::impending(reader, &top, &connections, (&unknowns, &studies));

@@ -11,7 +11,7 @@ use report::Document;
 use report::formats::Holds;
 use std::path::{Path, PathBuf};
 use strutt::folder;
-use strutt::rows::Rows;
+use strutt::rows::{Earlier, Rows};
 use strutt::wording::Word;
 use studies::failure::Misuse;
 use studies::pipeline::{self, Calculation, Machine};
@@ -44,7 +44,8 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let wants = |extra: Extra| study.extras().contains(&extra) && matches.get_flag(name_of(extra));
     let shard = if study.extras().contains(&Extra::Shard) { shard(matches)? } else { None };
     let keeps = study.extras().contains(&Extra::Resume);
-    let mut rows = out.as_deref().filter(|_| keeps).map(|out| Rows::open(out, wants(Extra::Resume))).transpose()?;
+    let earlier = if wants(Extra::Resume) { Earlier::Resumed } else { Earlier::Refused };
+    let mut rows = out.as_deref().filter(|_| keeps).map(|out| Rows::open(out, earlier)).transpose()?;
     let results = console.watched(|watch| {
         watch.shard = shard;
 

@@ -157,7 +157,7 @@ fn lettered(name: &str, unit: &str, language: ::words::Language) -> Column {
 }
 
 fn length(v: V2) -> f64 {
-    v[0].hypot(v[1])
+    algebra::elementary::hypot(v[0], v[1])
 }
 
 fn distance(a: V2, b: V2) -> f64 {
