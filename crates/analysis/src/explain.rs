@@ -10,14 +10,20 @@ use crate::fault::{
     NOT_LINEAR_RU, NOTHING_EN, NOTHING_RU, NOWHERE_EN, NOWHERE_RU, OPTION_EN, OPTION_RU, OUTPUT_EN, OUTPUT_RU, OUTSIDE_EN, OUTSIDE_RU,
     OVERFLOW_EN, OVERFLOW_RU, PERIODIC_EN, PERIODIC_RU, RANGE_EN, RANGE_RU, REACTION_EN, REACTION_RU, STEPS_EN, STEPS_RU, UNDERFLOW_EN,
     UNDERFLOW_RU, UNKNOWN_EN, UNKNOWN_RU, UNREST_EN, UNREST_RU, VARYING_EN, VARYING_RU, WRONG_SIDE_EN, WRONG_SIDE_RU, bends, connections,
-    loads,
+    loads, small,
 };
 use crate::rest::faults as rest;
 use crate::studies::explain as studies;
 
 /// Every table of explanations of this crate.
-pub const TABLES: &[&[Explanation]] =
-    &[EXPLANATIONS, bends::EXPLANATIONS, connections::EXPLANATIONS, loads::EXPLANATIONS, structures::faults::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[
+    EXPLANATIONS,
+    bends::EXPLANATIONS,
+    connections::EXPLANATIONS,
+    loads::EXPLANATIONS,
+    small::EXPLANATIONS,
+    structures::faults::EXPLANATIONS,
+];
 
 const EXPLANATIONS: &[Explanation] = &[
     plain("S001", ("switch without a direction (chattering)", "переключение без направления (дребезг)"), (CHATTERING_EN, CHATTERING_RU)),

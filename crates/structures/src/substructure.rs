@@ -42,6 +42,42 @@ pub struct Substructure {
     pub kept: Option<f64>,
 }
 
+impl Substructure {
+    /// Gives the amplitudes the order and the signs of those of `other` (the same frame with other numbers): each takes the shape that is most like its own.
+    /// Shapes over another division are left as they are; nothing but the names of amplitudes depends on it.
+    pub fn align(&mut self, other: &Substructure) {
+        let (m, k) = (self.named.len(), self.amplitudes);
+        if self.n_q != other.n_q || k != other.amplitudes || m != other.named.len() {
+            return;
+        }
+        let n = m + k;
+        let column = |of: &Substructure, j: usize| -> Vec<f64> { (0..of.n_q).map(|i| of.basis[i * n + m + j]).collect() };
+        let unit = |v: Vec<f64>| -> Vec<f64> {
+            let size = dot(&v, &v).sqrt();
+            v.iter().map(|x| if size > 0.0 { x / size } else { 0.0 }).collect()
+        };
+        let shapes = |of: &Substructure| (0..k).map(|j| unit(column(of, j))).collect::<Vec<_>>();
+        let (old, new) = (shapes(other), shapes(self));
+        let mut pairs: Vec<(f64, usize, usize)> = (0..k * k).map(|p| (p / k, p % k)).map(|(i, j)| (dot(&old[i], &new[j]), i, j)).collect();
+        pairs.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+        let mut from: Vec<Option<(usize, f64)>> = vec![None; k];
+        let mut taken = vec![false; k];
+        for (like, i, j) in pairs {
+            if from[i].is_none() && !taken[j] {
+                from[i] = Some((j, if like < 0.0 { -1.0 } else { 1.0 }));
+                taken[j] = true;
+            }
+        }
+        let source: Vec<(usize, f64)> = (0..m).map(|i| (i, 1.0)).chain(from.iter().flatten().map(|(j, sign)| (m + j, *sign))).collect();
+        let square = |a: &[f64]| -> Vec<f64> {
+            let entry = |i: usize, j: usize| source[i].1 * source[j].1 * a[source[i].0 * n + source[j].0];
+            (0..n * n).map(|e| entry(e / n, e % n)).collect()
+        };
+        (self.mass, self.stiffness) = (square(&self.mass), square(&self.stiffness));
+        self.basis = (0..self.n_q * n).map(|e| source[e % n].1 * self.basis[(e / n) * n + source[e % n].0]).collect();
+    }
+}
+
 /// What coordinates are chosen from: shapes over the independent freedoms with their matrices.
 struct Space {
     /// Number of shapes.

@@ -1,8 +1,9 @@
 //! The study `cycle`: energy balance over a turn with a uniform shaft, the drive that closes it, irregularity of running, the flywheel.
 
 use super::keys::{OWN_PLOT, POINTS};
-use super::periodic::{in_words, value_of};
+use super::periodic::value_of;
 use super::{Conclusion, Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
+use crate::failure::in_words;
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine, explained};
 use crate::provenance;

@@ -62,3 +62,18 @@ impl From<Box<Notice>> for Failure {
         Failure::Trouble(notice)
     }
 }
+
+/// A failure that stands beside results.
+pub fn in_words(failure: Failure) -> Notice {
+    match failure {
+        Failure::Trouble(trouble) | Failure::Misuse(trouble) => *trouble,
+        Failure::Findings { diagnostics, .. } => {
+            let first = diagnostics.into_iter().find(|d| d.severity == Severity::Error);
+            match first {
+                Some(d) => Notice::from(*d.message),
+                None => Notice::new("C031", "the model cannot be built with these values", "с этими значениями модель не строится"),
+            }
+        }
+        Failure::ClosedPipe => Notice::new("C031", "the output was closed", "вывод закрыт"),
+    }
+}

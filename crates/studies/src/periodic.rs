@@ -3,6 +3,7 @@
 use super::keys::{AT, EVERY, OUTPUTS, PERIOD, PLOT, SECTION, SETTLE, TOLERANCE, TURNS, turns_of_no_angle};
 use super::section::of_state;
 use super::{Conclusion, Fact, Finds, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
+use crate::failure::in_words;
 use crate::machine::{Machine, explained};
 use crate::plan;
 use crate::results::finite::checked;
@@ -416,21 +417,6 @@ pub(super) fn no_parameter(machine: &Machine, name: &str) -> Notice {
     match words::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
-    }
-}
-
-/// A failure that stands beside results.
-pub fn in_words(failure: Failure) -> Notice {
-    match failure {
-        Failure::Trouble(trouble) | Failure::Misuse(trouble) => *trouble,
-        Failure::Findings { diagnostics, .. } => {
-            let first = diagnostics.into_iter().find(|d| d.severity == words::Severity::Error);
-            match first {
-                Some(d) => Notice::from(*d.message),
-                None => Notice::new("C031", "the model cannot be built with these values", "с этими значениями модель не строится"),
-            }
-        }
-        Failure::ClosedPipe => Notice::new("C031", "the output was closed", "вывод закрыт"),
     }
 }
 

@@ -11,7 +11,8 @@
 //! (a formula over the others, listed so that each uses earlier ones only).
 
 use crate::connections::{Balance, Condition, Impacts, Reaction, Released};
-use crate::{Expr, Graph, Matrix, SymbolId};
+use crate::{Expr, Graph, Matrix, Mounted, SymbolId};
+use std::sync::Arc;
 use words::Text;
 
 /// Equations of motion and everything that is asked of them.
@@ -67,6 +68,8 @@ pub struct Equations {
     pub notation: Vec<(String, String)>,
     /// Formulas over constants whose numbers decided something in the derivation: with other numbers of these it is to be made anew.
     pub premises: Vec<Expr>,
+    /// Numbers among the parameters that follow from others without a formula: those of a frame. None where there are none.
+    pub mounted: Option<Arc<dyn Mounted>>,
 }
 
 impl Equations {
@@ -110,7 +113,13 @@ impl Equations {
             outputs: Vec::new(),
             notation: Vec::new(),
             premises: Vec::new(),
+            mounted: None,
         }
+    }
+
+    /// Whether numbers of a parameter's frame follow from it: giving it another value is then a matter of [`Equations::mounted`].
+    pub fn is_mounted_on(&self, parameter: SymbolId) -> bool {
+        self.mounted.as_ref().is_some_and(|m| m.reach().contains(&parameter))
     }
 
     /// Coordinates less ideal conditions and taut ropes, as they stand: conditions that repeat others count too.

@@ -2,7 +2,7 @@
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 //!
 //! Rooms, in order of reading: `rational`, `graph`, `build` (exact numbers; equal expressions are one node) - `walk`, `evaluate`, `substitute`, `derivative` (what is done
-//! with them) - `trigonometry`, `textbook` (how they are read) - `matrix`, `polynomial`, `characteristic`, [`transfer`] - [`equations`], [`connections`], [`waveform`]
+//! with them) - `trigonometry`, `textbook` (how they are read) - `matrix`, `polynomial`, `characteristic`, [`transfer`] - [`equations`], [`connections`], [`mounted`], [`waveform`]
 //! (the hand-over) - `periodic`, [`harmonics`], [`linear`] (small motions).
 
 // the same bits on every machine: see clippy.toml
@@ -18,6 +18,7 @@ mod graph;
 pub mod harmonics;
 pub mod linear;
 mod matrix;
+pub mod mounted;
 mod periodic;
 mod polynomial;
 mod rational;
@@ -34,6 +35,7 @@ pub use equations::Equations;
 pub use graph::{Edge, Expr, Function, Graph, Node, Symbol, SymbolId};
 pub use linear::Linear;
 pub use matrix::Matrix;
+pub use mounted::Mounted;
 pub use rational::Rational;
 pub use substitute::Substitution;
 pub use textbook::Textbook;

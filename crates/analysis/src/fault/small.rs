@@ -1,8 +1,16 @@
 //! Faults of small motions.
 
+use words::explain::{Explanation, plain};
 use words::{Message, Text};
 
 use super::Fault;
+
+/// What `strutt explain` says of these codes.
+pub(crate) const EXPLANATIONS: &[Explanation] =
+    &[plain("S096", ("a frame that cannot be followed", "раму нельзя проследить"), (FOLLOWED_EN, FOLLOWED_RU))];
+
+const FOLLOWED_EN: &str = "A frame under a machine enters its equations by numbers: inertias, stiffnesses and shares of loads over its coordinates. A study that follows a     parameter of the frame takes these numbers anew for every value. Here the frame is represented in another way at that value (other coordinates, or more     amplitudes for the wanted accuracy), or it is sought beside connections. Run the study once for each value: `sweep` or --set make the frame anew.";
+const FOLLOWED_RU: &str = "Рама под машиной входит в уравнения числами: инерциями, жёсткостями и долями нагрузок по её координатам. Расчёт, который идёт вдоль параметра     рамы, находит эти числа заново при каждом значении. Здесь при этом значении раму представляют иначе (другие координаты или больше амплитуд для     нужной точности), либо величину рамы ищут при наличии связей. Повторите расчёт для каждого значения: `sweep` и --set составляют раму заново.";
 
 /// S092.
 pub(crate) fn refused(why: Text) -> Fault {

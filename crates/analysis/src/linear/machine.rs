@@ -171,16 +171,14 @@ impl LinearMachine {
         self.parameters.iter().position(|p| p.name == name)
     }
 
-    /// Gives a parameter another number.
+    /// Gives a parameter another number, and those that follow from it theirs.
     ///
-    /// *Errors*: a formula over parameters has no value for it.
+    /// *Errors*: a formula over parameters has no value for it; S096 numbers of a frame that follow from it cannot be found for it. The machine is then as it
+    /// was.
     pub fn set(&mut self, parameter: usize, value: f64) -> Result<(), Fault> {
-        self.values[parameter] = value;
-        self.evaluator = Evaluator::new(&self.tape, &self.values)?;
-        for shape in self.shapes.iter_mut().filter(|s| s.parameters.contains(&parameter)) {
-            shape.bind(&self.values)?;
-        }
-        Ok(())
+        let mut values = self.values.clone();
+        values[parameter] = value;
+        self.renumber(&values)
     }
 
     /// The numbers of all parameters.
@@ -188,13 +186,44 @@ impl LinearMachine {
         &self.values
     }
 
-    /// Gives all parameters other numbers.
+    /// Gives all parameters other numbers; those that follow from others without a formula are found anew.
     ///
-    /// *Errors*: a formula over parameters has no value for them.
+    /// *Errors*: a formula over parameters has no value for them; S096. The machine is then as it was.
     pub fn renumber(&mut self, values: &[f64]) -> Result<(), Fault> {
-        self.values = values.to_vec();
+        let values = self.followed(values)?;
+        let before = std::mem::replace(&mut self.values, values);
+        let put = self.put(&before);
+        if put.is_err() {
+            self.values = before;
+            self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+            self.shapes.iter_mut().try_for_each(|shape| shape.bind(&self.values))?;
+        }
+        put
+    }
+
+    fn put(&mut self, before: &[f64]) -> Result<(), Fault> {
         self.evaluator = Evaluator::new(&self.tape, &self.values)?;
-        self.shapes.iter_mut().try_for_each(|shape| shape.bind(&self.values))
+        let changed = |p: &usize| self.values.get(*p).map(|v| v.to_bits()) != before.get(*p).map(|v| v.to_bits());
+        for shape in self.shapes.iter_mut().filter(|s| s.parameters.iter().any(changed)) {
+            shape.bind(&self.values)?;
+        }
+        Ok(())
+    }
+
+    /// Values with the numbers that follow from them without a formula.
+    pub(crate) fn followed(&self, values: &[f64]) -> Result<Vec<f64>, Fault> {
+        let mut values = values.to_vec();
+        let Some(mounted) = &self.equations.mounted else { return Ok(values) };
+        let index = |symbol: &SymbolId| self.equations.parameters.iter().position(|p| p.symbol == *symbol);
+        let reach: Vec<usize> = mounted.reach().iter().filter_map(index).collect();
+        if reach.iter().all(|i| values[*i].to_bits() == self.values[*i].to_bits()) {
+            return Ok(values);
+        }
+        let found = mounted.renewed(&reach.iter().map(|i| values[*i]).collect::<Vec<_>>()).map_err(Fault::new)?;
+        for (symbol, number) in mounted.numbers().iter().zip(found) {
+            index(symbol).into_iter().for_each(|i| values[i] = number);
+        }
+        Ok(values)
     }
 
     /// The waveforms of loads and observed quantities for the parameters as they are.
@@ -436,6 +465,9 @@ impl LinearMachine {
     pub fn depends_on(&self, parameter: usize) -> bool {
         let linear = &self.linear;
         let mut known = vec![self.equations.parameters[parameter].symbol];
+        if self.equations.is_mounted_on(known[0]) {
+            return true;
+        }
         let on = |known: &[SymbolId], e: Expr| linear.graph.contains(e, |s| known.contains(&s));
         for (symbol, formula) in &linear.definitions {
             if on(&known, *formula) {
@@ -510,6 +542,26 @@ impl LinearMachine {
         }
         list.extend(linear.reach.entries().iter().copied());
         self.prepare(&list)
+    }
+
+    /// Derivatives of numbers that follow from a parameter without a formula, as (index of the number, derivative); empty where nothing follows.
+    ///
+    /// A central difference over the cube root of rounding: ten digits, of which Newton's method needs the first few.
+    ///
+    /// *Errors*: S096.
+    pub fn followers(&self, parameter: usize) -> Result<Vec<(usize, f64)>, Fault> {
+        if !self.equations.is_mounted_on(self.equations.parameters[parameter].symbol) {
+            return Ok(Vec::new());
+        }
+        let step = algebra::elementary::cbrt(f64::EPSILON) * self.values[parameter].abs();
+        let with = |change: f64| {
+            let mut values = self.values.clone();
+            values[parameter] += change;
+            self.followed(&values)
+        };
+        let (low, high) = (with(-step)?, with(step)?);
+        let slope = |i: usize| (i, (high[i] - low[i]) / (2.0 * step));
+        Ok((0..low.len()).filter(|i| *i != parameter && low[*i].to_bits() != high[*i].to_bits()).map(slope).collect())
     }
 
     /// A zero of [`Linear::graph`] for each coordinate.

@@ -10,7 +10,9 @@
 //!
 //! *Source*: P. C. Müller, W. Schiehlen, Linear Vibrations, ch. 4; L. Meirovitch, Methods of Analytical Dynamics, ch. 9.
 
+use algebra::cholesky::positive_definite;
 use algebra::elementary;
+use std::cmp::Ordering;
 use words::Text;
 
 use crate::audits::certified;
@@ -100,6 +102,19 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
     if largest(&damping) == 0.0 && !follows {
         list.iter_mut().for_each(conservative);
     }
+    let semidefinite = |a: &[f64]| positive_definite(a, n) != Some(false);
+    if !follows && semidefinite(&damping) && semidefinite(&stiffness) {
+        list.iter_mut().for_each(resisted);
+    }
+    let orthogonal = (kind != Damping::General).then(|| orthogonality(system, &stiffness, &list));
+    if kind == Damping::Classical {
+        let second = |j: usize| slipping(&list[j], settled(modal[j * n + j], undamped.shape(j), &damping));
+        let second: Vec<Mode> = (0..n).filter(|j| values[*j] == 0.0).filter_map(second).collect();
+        if !second.is_empty() {
+            list.extend(second);
+            list.sort_by(in_order);
+        }
+    }
     let mut notes = Vec::new();
     for (i, mode) in list.iter_mut().enumerate() {
         notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
@@ -111,10 +126,7 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
             "у свободного движения может быть слабая жёсткость, потерянная при округлении больших",
         ));
     }
-    let mut audits = match kind {
-        Damping::General => vec![residual(system, &list)],
-        _ => vec![orthogonality(system, &stiffness, &list)],
-    };
+    let mut audits = vec![orthogonal.unwrap_or_else(|| residual(system, &list))];
     let pencil = (Sparse::from_dense(n, &stiffness)?, Sparse::from_dense(n, &system.mass)?);
     // values of free motions are zero
     let certified = eigen::Modes { values: values.clone(), ..undamped };
@@ -220,8 +232,9 @@ fn classical(v: f64, d: f64, shape: &[f64]) -> Mode {
         () => {
             let far = -0.5 * d - discriminant.sqrt().copysign(d);
             let near = if far == 0.0 { 0.0 } else { v / far };
-            let slow = if v < 0.0 { near.max(far) } else { near };
-            ((slow, 0.0), if slow > 0.0 { Kind::Divergence } else { Kind::Aperiodic })
+            // what stays longest: of two decays the slow one, of two growths the fast one
+            let last = near.max(far);
+            ((last, 0.0), if last > 0.0 { Kind::Divergence } else { Kind::Aperiodic })
         }
     };
     Mode { kind, omega, damped: root.1, ratio, root, shape }
@@ -275,9 +288,30 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
     for j in (0..n).filter(|&j| values[j] == 0.0).take(frees.min(free)) {
         modes.push(classical(0.0, 0.0, &basis.shapes[j * n..(j + 1) * n]));
     }
-    let order = |m: &Mode| (m.kind != Kind::RigidBody, m.omega);
-    modes.sort_by(|a, b| order(a).0.cmp(&order(b).0).then(a.omega.total_cmp(&b.omega)).then(a.root.0.total_cmp(&b.root.0)));
+    modes.sort_by(in_order);
     Ok(modes)
+}
+
+/// Free motions first, then by frequency.
+fn in_order(a: &Mode, b: &Mode) -> Ordering {
+    let order = |m: &Mode| (m.kind != Kind::RigidBody, m.omega);
+    order(a).0.cmp(&order(b).0).then(a.omega.total_cmp(&b.omega)).then(a.root.0.total_cmp(&b.root.0))
+}
+
+/// The other motion of a free one with resistance, z'' + d z' = 0: besides staying where it is (λ = 0) it slips, λ = -d.
+fn slipping(free: &Mode, d: f64) -> Option<Mode> {
+    let kind = if d > 0.0 { Kind::Aperiodic } else { Kind::Divergence };
+    let (omega, ratio) = if d > 0.0 { (d, 1.0) } else { (0.0, f64::NAN) };
+    (d != 0.0).then(|| Mode { kind, omega, ratio, damped: 0.0, root: (-d, 0.0), shape: free.shape.clone() })
+}
+
+/// Where damping takes energy and stiffness stores it no oscillation grows: λ = a + ib has a = -xᴴ B x / 2 xᴴ M x, gyroscopic forces do no work. What a root that
+/// is nearly double has left of growth is rounding.
+fn resisted(mode: &mut Mode) {
+    if mode.kind == Kind::Oscillation && mode.root.0 > 0.0 && mode.root.0 <= SPLIT * mode.omega {
+        mode.root.0 = 0.0;
+        mode.ratio = 0.0;
+    }
 }
 
 /// Share of a root that Newton's method with residuals in twice the digits leaves unknown.
@@ -297,10 +331,12 @@ fn lost() -> Fault {
     ))
 }
 
+/// Share of a root by which rounding may move it off the axis: a double problem splits roots by some 1e-12 of them.
+const SPLIT: f64 = 1e-9;
+
 /// Without damping an oscillation neither grows nor decays, up to rounding.
 fn conservative(mode: &mut Mode) {
-    // a double problem splits roots by some 1e-12 of them
-    if mode.kind == Kind::Oscillation && mode.root.0.abs() <= 1e-9 * mode.omega {
+    if mode.kind == Kind::Oscillation && mode.root.0.abs() <= SPLIT * mode.omega {
         mode.root.0 = 0.0;
         mode.ratio = 0.0;
         mode.omega = mode.omega.max(mode.root.1);

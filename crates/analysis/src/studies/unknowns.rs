@@ -4,7 +4,7 @@
 //! F(q, u) + Jᵀ λ = 0        n equations for u and the reactions λ of connections
 //! ```
 //!
-//! Gauss-Newton: ∂F/∂u is exact, the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
+//! Gauss-Newton: ∂F/∂u is exact (numbers of a frame, which no formula gives, enter by differences), the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
 //! faults, never a least-squares compromise.
 
 use words::Text;
@@ -24,12 +24,12 @@ const UNBALANCED: f64 = 1e-9;
 /// *Errors*: S036 when an unknown changes no force, when unknowns cannot be told apart, or when a force stays unbalanced.
 pub fn unknowns(machine: &mut LinearMachine, parameters: &[usize], q: &[f64]) -> Result<Place, Fault> {
     let n = q.len();
-    let prepared = machine.forces_by(parameters)?;
+    let whole = Forces::of(machine, parameters)?;
     let mut place = Place::rest(q);
     let k = parameters.len() + machine.linear().multipliers.len();
     place.multipliers = vec![0.0; machine.linear().multipliers.len()];
     for _ in 0..STEPS {
-        let values = machine.values(&prepared, &place)?;
+        let values = whole.at(machine, &place)?;
         let (force, slopes) = values.split_at(n);
         // column-wise ∂F/∂u, then row-wise Jᵀ
         let entry = |i: usize, c: usize| {
@@ -69,14 +69,52 @@ pub fn unknowns(machine: &mut LinearMachine, parameters: &[usize], q: &[f64]) ->
             break;
         }
     }
-    balanced(machine, parameters, &prepared, &place)?;
+    balanced(machine, parameters, &whole, &place)?;
     Ok(place)
 }
 
+/// The mean forces, their derivatives by the unknowns (unknown by unknown), and the reach of the reactions.
+struct Forces {
+    unknowns: Vec<usize>,
+    /// Numbers that follow from unknowns without a formula.
+    followers: Vec<usize>,
+    prepared: crate::linear::Values,
+}
+
+impl Forces {
+    fn of(machine: &mut LinearMachine, unknowns: &[usize]) -> Result<Forces, Fault> {
+        let mut followers: Vec<usize> = Vec::new();
+        for u in unknowns {
+            followers.extend(machine.followers(*u)?.into_iter().map(|f| f.0));
+        }
+        followers.sort_unstable();
+        followers.dedup();
+        let all: Vec<usize> = unknowns.iter().chain(&followers).copied().collect();
+        Ok(Forces { unknowns: unknowns.to_vec(), followers, prepared: machine.forces_by(&all)? })
+    }
+
+    /// dF/du = ∂F/∂u + Σ ∂F/∂k · dk/du over the numbers k that follow.
+    fn at(&self, machine: &LinearMachine, place: &Place) -> Result<Vec<f64>, Fault> {
+        let n = place.q.len();
+        let mut values = machine.values(&self.prepared, place)?;
+        let first = (1 + self.unknowns.len()) * n;
+        for (c, u) in self.unknowns.iter().enumerate() {
+            for (number, slope) in machine.followers(*u)? {
+                let Some(k) = self.followers.iter().position(|f| *f == number) else { continue };
+                for i in 0..n {
+                    values[(1 + c) * n + i] += slope * values[first + k * n + i];
+                }
+            }
+        }
+        values.drain(first..first + self.followers.len() * n);
+        Ok(values)
+    }
+}
+
 /// Every force must vanish beside its terms.
-fn balanced(machine: &mut LinearMachine, parameters: &[usize], prepared: &crate::linear::Values, place: &Place) -> Result<(), Fault> {
+fn balanced(machine: &mut LinearMachine, parameters: &[usize], whole: &Forces, place: &Place) -> Result<(), Fault> {
     let n = place.q.len();
-    let values = machine.values(prepared, place)?;
+    let values = whole.at(machine, place)?;
     let matrices = machine.at(place)?;
     let m = place.multipliers.len();
     for i in 0..n {

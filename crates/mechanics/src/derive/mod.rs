@@ -146,6 +146,7 @@ impl Derived {
             outputs: self.outputs,
             notation,
             premises: scene.premises,
+            mounted: None,
             graph: scene.graph,
         }
     }

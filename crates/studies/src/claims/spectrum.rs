@@ -91,11 +91,13 @@ fn frequencies(machine: &mut Machine, watch: &mut Watch) -> Result<Vec<f64>, Tex
 /// The terms at each natural frequency, with the values of the file and with drawn ones.
 fn rows(machine: &mut Machine, published: &Published, own: &[f64], watch: &mut Watch) -> Vec<Vec<f64>> {
     let mut rows: Vec<Vec<f64>> = own.iter().map(|w| terms_at(machine, published, *w)).collect();
+    let of_frame: Vec<SymbolId> = machine.equations.mounted.as_ref().map(|m| m.numbers().to_vec()).unwrap_or_default();
     let named: Vec<(String, f64)> = machine
         .model
         .parameters
         .iter()
-        .filter(|p| p.class == Class::Constant)
+        // numbers of a frame are none of the file: they follow from the others
+        .filter(|p| p.class == Class::Constant && !of_frame.contains(&p.symbol))
         .filter_map(|p| Some((p.name.clone(), p.number.filter(|v| *v != 0.0)?)))
         .collect();
     let draws = (2 * published.terms.len() + 6) / own.len() + 1;

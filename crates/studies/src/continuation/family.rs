@@ -3,7 +3,8 @@
 use super::asked::{Branched, Followed};
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
-use crate::periodic::{Periodic, in_words};
+use crate::failure::in_words;
+use crate::periodic::Periodic;
 use analysis::Fault;
 use analysis::studies::continuation::Family;
 use symbolic::Expr;

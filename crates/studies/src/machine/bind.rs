@@ -1,8 +1,9 @@
 //! What a machine was made from, and the same machine with other values: bound to them where only numbers change, read again where more does.
 
-use super::build::{build, numbered};
+use super::build::{build, build_as, numbered};
 use super::built::Machine;
 use crate::failure::Failure;
+use crate::frame::renew::Form;
 use crate::guards;
 use crate::source::Source;
 use crate::watch::Watch;
@@ -48,6 +49,19 @@ impl Machine {
     /// Findings about the model with these values.
     pub fn with_values(&self, values: &[(&str, f64)]) -> Result<Machine, Failure> {
         self.again(self.origin.source.clone(), self.overridden(values))
+    }
+
+    /// The same machine with every number of its frame as a parameter, for a study that follows a parameter of the frame; none where it is none.
+    ///
+    /// # Errors
+    /// Findings about the model.
+    pub fn followed(&self, name: &str) -> Result<Option<Machine>, Failure> {
+        let parameter = self.model.parameters.iter().find(|p| p.name == name);
+        if !parameter.is_some_and(|p| self.equations.is_mounted_on(p.symbol)) {
+            return Ok(None);
+        }
+        let detail = if self.equations.steps.is_empty() { Detail::Equations } else { Detail::Steps };
+        build_as(self.origin.clone(), (detail, Form::Followed), &mut Watch::default()).map(Some)
     }
 
     /// Gives this machine other values with all that was derived for it, SI; what stands on its sheets (the hash of the file and its own values) stays.

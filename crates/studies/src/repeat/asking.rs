@@ -2,7 +2,7 @@
 
 use super::wanted::Noted;
 use crate::machine::Machine;
-use crate::periodic::in_words;
+use crate::failure::in_words;
 use crate::{Finds, Given, idle};
 use mechanics::asked::{Asked, Value as Taken};
 use words::{Notice, Text};

@@ -3,7 +3,8 @@
 use super::repeated::Repeated;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
-use crate::periodic::{self, Periodic, in_words};
+use crate::failure::in_words;
+use crate::periodic::{self, Periodic};
 use crate::watch::Watch;
 use crate::{Finds, Results};
 use mechanics::asked::Asked;

@@ -62,8 +62,9 @@ fn numbers(machine: &Machine) -> Vec<(SymbolId, Expr)> {
         ParameterValue::Number { si } => Some((p.symbol, si)),
         ParameterValue::Formula(_) => None,
     };
-    // a number that was found has no exact form
-    let known = |p: &&mechanics::model::ParameterDecl| !machine.model.unknowns.contains(&p.symbol);
+    // a number that was found has no exact form, nor one of a frame that was computed and not given: its binary digits are no data
+    let computed = |p: &mechanics::model::ParameterDecl| p.span.is_none() && p.written.is_empty();
+    let known = |p: &&mechanics::model::ParameterDecl| !machine.model.unknowns.contains(&p.symbol) && !computed(p);
     machine.model.parameters.iter().filter(known).filter_map(number).collect()
 }
 

@@ -1,5 +1,6 @@
 //! The study `modes`: natural frequencies, shapes, the frequency equation, modes followed along a parameter.
 
+use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::provenance;
 use crate::results::{Alone, Body, Next, Results};
@@ -90,7 +91,11 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     let written = if study.about_start { None } else { formulas::write(&machine.equations, &small) };
     let over = if study.about_start { None } else { study.over.as_ref() };
     let tracks = match over {
-        Some(sweep) => Some(along(&mut small, sweep)?),
+        // a page shows the numbers of the file's own frame; those of another one are followed beside it
+        Some(sweep) => Some(match machine.followed(&sweep.name).map_err(in_words)? {
+            Some(followed) => along(&mut about_rest(&followed, &study.guess)?, sweep)?,
+            None => along(&mut small, sweep)?,
+        }),
         None => None,
     };
     Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation: equation.map(|e| e.0), tracks, degenerate })

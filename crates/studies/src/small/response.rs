@@ -1,5 +1,6 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
+use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::plan;
 use crate::provenance;
@@ -126,7 +127,7 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
         false => about_rest(machine, &study.guess),
     };
     let mut data = Dataset::default();
-    let found = small.and_then(|small| sweep(machine, study, small, (&mut out, &mut data)));
+    let found = small.and_then(|small| mounted(machine, study, small, (&mut out, &mut data)));
     let trouble = found.err().map(|fault| Notice::from(of_output(machine, study, fault)));
     data.partial |= trouble.is_some();
     Results {
@@ -170,6 +171,23 @@ fn beyond(machine: &Machine, top: f64) -> Option<Audit> {
         "наибольшая частота относительно частоты учтённых форм рамы ([structure] modes)",
     );
     Some(Audit::at_most("frame_modes", name, top / kept, STATIC))
+}
+
+/// The response, of the machine that has every number of its frame as a parameter where the frame follows the frequency.
+fn mounted(machine: &Machine, study: &Study, small: Small, out: (&mut ResponseFound, &mut Dataset)) -> Result<(), Fault> {
+    let followed = match machine.equations.mounted {
+        Some(_) => {
+            let mut probe = small.clone();
+            let parameter = source(machine, study, &mut probe)?.1;
+            let name = parameter.map(|p| probe.machine.parameters()[p].name.clone());
+            name.map_or(Ok(None), |name| machine.followed(&name)).map_err(in_words)?
+        }
+        None => None,
+    };
+    match followed {
+        Some(followed) => sweep(&followed, study, about_rest(&followed, &study.guess)?, out),
+        None => sweep(machine, study, small, out),
+    }
 }
 
 /// What a response says.

@@ -38,7 +38,7 @@ pub fn of(model: &Model) -> Option<&Structure> {
 /// Natural oscillations of the structure; none when the model has none.
 pub fn modes(machine: &Machine, study: &crate::small::asked::Modes) -> Option<Results> {
     // with bodies on it the frame is part of the machine
-    let structure = of(&machine.model).filter(|_| crate::frame::mount::is_bare(&machine.model))?;
+    let structure = of(&machine.model).filter(|_| crate::frame::coordinates::is_bare(&machine.model))?;
     let found = match ignored(study) {
         Some(key) => Err(Box::new(one_value(key))),
         None => modes::find(&machine.model, structure, study).map(|found| Outcome::Modes(Box::new(found))),

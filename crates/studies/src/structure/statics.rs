@@ -1,7 +1,7 @@
 //! Statics of the structure of a model.
 
 use crate::frame::bind::{Bound, bind};
-use crate::frame::mount::{is_bare, moves};
+use crate::frame::coordinates::{is_bare, moves};
 use crate::machine::Machine;
 use analysis::studies::structure_statics::{self, StructureStatics};
 use mechanics::structure::Structure;
