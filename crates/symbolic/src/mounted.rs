@@ -16,5 +16,5 @@ pub trait Mounted: Debug + Send + Sync {
     /// The numbers, SI, in the order of [`Mounted::numbers`], for values (SI) in the order of [`Mounted::reach`].
     ///
     /// *Errors*: the equations stand for other values only; nothing of the kind with these values.
-    fn renewed(&self, values: &[f64]) -> Result<Vec<f64>, Message>;
+    fn renewed(&self, values: &[f64]) -> Result<Vec<f64>, Box<Message>>;
 }

@@ -219,7 +219,7 @@ impl LinearMachine {
         if reach.iter().all(|i| values[*i].to_bits() == self.values[*i].to_bits()) {
             return Ok(values);
         }
-        let found = mounted.renewed(&reach.iter().map(|i| values[*i]).collect::<Vec<_>>()).map_err(Fault::new)?;
+        let found = mounted.renewed(&reach.iter().map(|i| values[*i]).collect::<Vec<_>>()).map_err(|message| Fault::new(*message))?;
         for (symbol, number) in mounted.numbers().iter().zip(found) {
             index(symbol).into_iter().for_each(|i| values[i] = number);
         }

@@ -119,7 +119,7 @@ const STUDY_NAMES: [(&str, &str, &str); 11] = [
     ("studies", "structure::statics", "its own room"),
     ("studies", "phases", "a case of the calculation by phases, by normal modes"),
     ("studies", "statics", "the audit of the equations of equilibrium"),
-    ("studies", "frame::mount", "below the studies: the two that divide a frame themselves"),
+    ("studies", "frame::coordinates", "below the studies: the two that divide a frame themselves"),
 ];
 
 /// What others do with a study goes by what it finds (`studies::Finds`) and by its own methods, not by its name.

@@ -1,9 +1,9 @@
 //! The machine with other values of its parameter, and the period that its file gives then.
 
 use super::asked::{Branched, Followed};
+use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
-use crate::failure::in_words;
 use crate::periodic::Periodic;
 use analysis::Fault;
 use analysis::studies::continuation::Family;

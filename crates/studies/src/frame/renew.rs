@@ -42,7 +42,7 @@ pub trait Again: std::fmt::Debug + Send + Sync {
     /// Its model with other ones.
     ///
     /// *Errors*: the first finding.
-    fn read(&self, overrides: &[(String, String)]) -> Result<Model, Message>;
+    fn read(&self, overrides: &[(String, String)]) -> Result<Model, Box<Message>>;
 }
 
 /// The frame of a model whose numbers stand in the machine.
@@ -69,7 +69,7 @@ impl Renewal {
     }
 
     /// The model with other values of the parameters.
-    fn with(&self, values: &[f64]) -> Result<Model, Message> {
+    fn with(&self, values: &[f64]) -> Result<Model, Box<Message>> {
         let pairs: Vec<(&str, f64)> = self.reach.iter().zip(values).map(|(s, v)| (self.name(*s), *v)).collect();
         if let Some(change) = self.model.change(&pairs).filter(|change| self.model.allows(change)) {
             let mut model = self.model.clone();
@@ -87,14 +87,14 @@ impl Renewal {
         self.again.read(&overrides)
     }
 
-    fn refused(&self, values: &[(&str, f64)], why: &Text) -> Message {
+    fn refused(&self, values: &[(&str, f64)], why: &Text) -> Box<Message> {
         let own = |name: &str| self.model.parameters.iter().find(|p| p.name == name).and_then(|p| p.number);
         let changed: Vec<&(&str, f64)> = values.iter().filter(|(name, v)| own(name) != Some(*v)).collect();
         let list = |mark: fn(&Text) -> &str| {
             changed.iter().map(|(name, v)| format!("{name} = {}", mark(&words::digits::number(*v)))).collect::<Vec<_>>().join(", ")
         };
         let [en, ru] = [list(|t| &t.en), list(|t| &t.ru)];
-        Message {
+        Box::new(Message {
             code: "S096",
             what: Text::new(format!("the frame cannot be followed to {en}"), format!("раму нельзя проследить до значений {ru}")),
             why: why.clone(),
@@ -102,7 +102,7 @@ impl Renewal {
                 "let `sweep` run the study for each value: it makes the frame anew every time",
                 "повторите расчёт для каждого значения с помощью `sweep`: рама тогда каждый раз составляется заново",
             ),
-        }
+        })
     }
 }
 
@@ -115,12 +115,12 @@ impl Mounted for Renewal {
         &self.numbers
     }
 
-    fn renewed(&self, values: &[f64]) -> Result<Vec<f64>, Message> {
+    fn renewed(&self, values: &[f64]) -> Result<Vec<f64>, Box<Message>> {
         let pairs: Vec<(&str, f64)> = self.reach.iter().zip(values).map(|(s, v)| (self.name(*s), *v)).collect();
         let model = self.with(values)?;
         let Some(structure) = model.structure.clone() else { return Err(self.refused(&pairs, &other())) };
         let mut bound = bind(&model, &structure);
-        let found = coordinates(&model, &structure, &mut bound).map_err(|fault| *words::Notice::from(fault).message)?;
+        let found = coordinates(&model, &structure, &mut bound).map_err(|fault| words::Notice::from(fault).message)?;
         let (mut found, home) = match (found, &self.home) {
             (Some(found), Some(home)) if found.named == home.named && found.amplitudes == home.amplitudes => (found, home),
             (None, None) => return Ok(Vec::new()),

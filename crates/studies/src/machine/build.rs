@@ -31,9 +31,9 @@ impl Again for Origin {
         &self.overrides
     }
 
-    fn read(&self, overrides: &[(String, String)]) -> Result<Model, Message> {
+    fn read(&self, overrides: &[(String, String)]) -> Result<Model, Box<Message>> {
         let source = Box::new(self.source.clone());
-        let findings = |diagnostics| *in_words(Failure::Findings { source, diagnostics }).message;
+        let findings = |diagnostics| in_words(Failure::Findings { source, diagnostics }).message;
         read(&self.source, overrides, self.studies).map(|reading| reading.model).map_err(findings)
     }
 }

@@ -1,8 +1,8 @@
 //! How a study is asked for that is repeated.
 
 use super::wanted::Noted;
-use crate::machine::Machine;
 use crate::failure::in_words;
+use crate::machine::Machine;
 use crate::{Finds, Given, idle};
 use mechanics::asked::{Asked, Value as Taken};
 use words::{Notice, Text};

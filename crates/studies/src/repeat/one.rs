@@ -1,9 +1,9 @@
 //! The study that is repeated, at one place.
 
 use super::repeated::Repeated;
+use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
-use crate::failure::in_words;
 use crate::periodic::{self, Periodic};
 use crate::watch::Watch;
 use crate::{Finds, Results};

@@ -1,8 +1,8 @@
 //! The number that is followed along the parameter.
 
+use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::observable::Observable;
-use crate::periodic::in_words;
 use crate::repeat::regimes;
 use crate::repeat::{Asks, At, Repeated, number, one};
 use crate::results::Results;
