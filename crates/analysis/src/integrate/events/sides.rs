@@ -36,6 +36,9 @@ const START: f64 = 64.0 * f64::EPSILON;
 /// The same of a contact: what has lain on a moving table or hung on a rope for many periods, and what is given to twelve digits, lies on it.
 const LAID: f64 = 4096.0 * f64::EPSILON;
 
+/// How much larger than value and state the change of a guard over a step may be and still count for its rounding.
+const FAR: f64 = 1e3;
+
 /// Largest share of what a guard does that counts as its rounding.
 const PLAUSIBLE: f64 = 1e-6;
 
@@ -57,7 +60,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 _ => continue,
             };
             let value = self.system.guard(i).first().copied().unwrap_or(0.0);
-            let noise = if contact { LAID } else { START } * self.guard_scale[i].max(around);
+            // over a long run a free flight leads anywhere: what meets in the value itself is of its own size, or of that of the state
+            let own = value.abs().max(around);
+            let reach = if own > 0.0 { self.guard_scale[i].min(FAR * own) } else { self.guard_scale[i] };
+            let noise = (START * reach.max(around)).max(if contact { LAID * own.min(around) } else { 0.0 });
             self.guard_noise[i] = noise;
             self.touched[i] = value.abs() <= noise;
             self.modes[i] = if self.touched[i] && !contact { Mode::Zero } else { Mode::of(value) };
@@ -68,7 +74,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             if contact && self.touched[i] {
                 // closed, unless an impact or the flow opens it
                 let rate = self.system.guard(i).get(1).copied().unwrap_or(0.0);
-                self.modes[i] = if rate.abs() <= LAID * self.guard_scale[i].max(rates) { Mode::Zero } else { Mode::Positive };
+                self.modes[i] = if rate.abs() <= (START * reach.max(rates)).max(LAID * rates) { Mode::Zero } else { Mode::Positive };
             }
         }
         self.free_unloaded();
