@@ -45,6 +45,8 @@ pub struct Antiresonance {
 const STILL: f64 = 1e-9;
 /// Coordinates with a smaller share of the energy do not absorb.
 const SHARE: f64 = 0.05;
+/// How much larger than beside it a value is where it is infinite: a change of sign through zero is smaller, and the place is known to rounding.
+const ENDLESS: f64 = 1e6;
 /// Points between two natural frequencies.
 const BETWEEN: usize = 60;
 
@@ -145,8 +147,13 @@ impl Search<'_, '_> {
     /// Without damping: natural frequencies that the load excites and the output shows.
     fn poles(&mut self, from: f64, to: f64) -> Result<Vec<Resonance>, Fault> {
         let mut found: Vec<Resonance> = Vec::new();
-        for (i, mode) in self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation && m.root.0 == 0.0) {
-            let omega = mode.damped;
+        let natural = self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation && m.root.0 == 0.0);
+        let mut places: Vec<(Option<usize>, f64)> = natural.map(|(i, m)| (Some(i), m.damped)).collect();
+        // a machine that follows the frequency itself resounds where none of its natural frequencies at the file's own value is
+        if self.undamped() {
+            places.extend(self.changes_through_infinity().into_iter().map(|omega| (None, omega)));
+        }
+        for (mode, omega) in places {
             // nine digits: the same frequency found twice
             if omega < from || omega > to || found.iter().any(|f| (f.omega - omega).abs() <= 1e-9 * omega) {
                 continue;
@@ -163,12 +170,29 @@ impl Search<'_, '_> {
                 amplitude: f64::INFINITY,
                 phase: f64::NAN,
                 gain: f64::INFINITY,
-                mode: Some(i),
+                mode,
                 quality: f64::INFINITY,
                 half_power: [f64::NAN; 2],
             });
         }
         Ok(found)
+    }
+
+    /// Where the values on their line change sign through infinity, between the points.
+    fn changes_through_infinity(&mut self) -> Vec<f64> {
+        let mut found = Vec::new();
+        for i in 1..self.points.len() {
+            let [a, b] = [i - 1, i].map(|j| part(self.points[j].outputs[self.k]));
+            if !(a.is_finite() && b.is_finite() && a * b < 0.0) {
+                continue;
+            }
+            let (low, high) = (self.omegas[i - 1], self.omegas[i]);
+            let omega = peaks::zero(&mut |w| 1.0 / part(self.value(w)), low, high);
+            if magnitude(self.value(omega)) >= ENDLESS * a.abs().max(b.abs()) {
+                found.push(omega);
+            }
+        }
+        found
     }
 
     fn resonance(&mut self, peak: Peak) -> Result<Resonance, Fault> {
