@@ -140,7 +140,8 @@ fn every_key_of_the_tables_is_read_and_only_those() {
     }
     let asked = crate::reader::asked();
     for table in fields::all() {
-        for field in table.fields {
+        // names of the user's own are no keys: the rows are read whatever they are called
+        for field in table.fields.iter().filter(|field| field.key != "NAME") {
             assert!(asked.contains(&(table.name, field.key)), "the reader never asks for {}.{}", table.name, field.key);
         }
     }
