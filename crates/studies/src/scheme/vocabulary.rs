@@ -27,6 +27,7 @@ pub const UNDRAWN: &[&str] = &[
     "impending",
     "outputs",
     "events",
+    "regimes",
     "rayleigh",
     "structure",
     "sections",
