@@ -2,7 +2,7 @@
 //! nothing.
 //!
 //! Rooms, in order of reading: [`units`], `keys`, [`fields`], [`asked`], [`formula`], `snippet` (what stands in a file) - [`model`], [`structure`], [`section`], [`variants`] (what it
-//! means) - `reader`, [`elements`], [`connections`], `read` (from the one to the other) - `scene` (places and velocities), `requests` (what formulas ask of them) - [`derive`] (the
+//! means) - `reader`, [`elements`], [`connections`], `read` (from the one to the other) - `scene` (places and velocities), `requests` (what formulas ask of them) - [`mod@derive`] (the
 //! equations) - [`mod@reference`], [`explain`] (tables and codes as documents).
 
 // the same bits on every machine: see clippy.toml

@@ -13,10 +13,10 @@ const MIXED: usize = 3;
 /// How far coordinates are moved, rad or m.
 const STEP: f64 = 0.06;
 
-/// Below it nothing moves and two places are one, in metres, radians or pixels: what moves at all moves by some thousandth of [`STEP`] and more, and places about a
+/// Below it nothing moves and two places are one, in metres, radians or pixels: what moves at all moves by some thousandth of `STEP` and more, and places about a
 /// metre are rounded to 1e-15.
 pub const STILL: f64 = 1e-9;
-/// Ratios of movements that differ less, relatively, are one: movements of [`STEP`] and of its square carry ten digits and more.
+/// Ratios of movements that differ less, relatively, are one: movements of `STEP` and of its square carry ten digits and more.
 pub const ALIKE: f64 = 1e-6;
 
 /// Where a frame is.
