@@ -6,7 +6,7 @@ mod family;
 mod show;
 mod tell;
 
-use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, turns_of_no_angle};
+use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, turns_of_no_angle};
 use super::{Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
 use crate::Failure;
 use crate::equilibrium;
@@ -96,15 +96,7 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 ),
         );
     }
-    if let (Some(from), Some(to)) = (asked.number("from"), asked.number("to"))
-        && to <= from
-    {
-        found.push(
-            Objection::at("to", "M071", "`to` must be larger than `from`", "`to` должно быть больше `from`")
-                .why("the range would be empty or run backwards", "промежуток был бы пуст или шёл бы назад")
-                .help("write the smaller value into `from`", "меньшее значение запишите в `from`"),
-        );
-    }
+    found.extend(backwards(asked));
     found.extend(turns_of_no_angle(asked));
     found
 }

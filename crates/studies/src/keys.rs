@@ -194,6 +194,16 @@ pub const SETTLE: Key = Key::new("settle", Takes::Wait, ("ordinary motion before
     .default("0", "0")
     .option("Ordinary motion before the search", "Обычное движение перед поиском");
 
+/// An objection to a range `from`, `to` that runs backwards.
+pub fn backwards(asked: &Asked) -> Option<Objection> {
+    let (from, to) = (asked.number("from")?, asked.number("to")?);
+    (to <= from).then(|| {
+        Objection::at("to", "M071", "`to` must be larger than `from`", "`to` должно быть больше `from`")
+            .why("the range would be empty or run backwards", "промежуток был бы пуст или шёл бы назад")
+            .help("write the smaller value into `from`", "меньшее значение запишите в `from`")
+    })
+}
+
 /// An objection to turns of a section that is no angle; a section that could not be read has its own.
 pub fn turns_of_no_angle(asked: &Asked) -> Option<Objection> {
     let is_read = !asked.has("section") || asked.get("section").is_some();

@@ -31,6 +31,7 @@ const WHOLE: u64 = 512;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Share of the largest force of the machine that stands for the size of a small one: it is what is left of the large ones.
 const WEAK: f64 = 1e-3;
+/// How many tolerances of a step a speed may err by: beside a reversal it is the error of the step.
 const STEPPED: f64 = 1e3;
 /// Limit of these audits, and the share of a speed that is error, at the loosest tolerance.
 const WIDEST: f64 = 1e-2;

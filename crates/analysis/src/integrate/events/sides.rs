@@ -63,7 +63,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             // over a long run a free flight leads anywhere: what meets in the value itself is of its own size, or of that of the state
             let own = value.abs().max(around);
             let reach = if own > 0.0 { self.guard_scale[i].min(FAR * own) } else { self.guard_scale[i] };
-            let noise = (START * reach.max(around)).max(if contact { LAID * own.min(around) } else { 0.0 });
+            let noise = (START * reach.max(around)).max(if contact { LAID * around } else { 0.0 });
             self.guard_noise[i] = noise;
             self.touched[i] = value.abs() <= noise;
             self.modes[i] = if self.touched[i] && !contact { Mode::Zero } else { Mode::of(value) };
