@@ -26,14 +26,12 @@ pub struct Kind {
     pub keys: &'static [Key],
     /// What the values contradict together.
     pub check: fn(&Asked) -> Vec<Objection>,
-    /// Whether a study that repeats another may name it.
-    pub repeatable: bool,
 }
 
 impl Kind {
     /// A kind without keys.
     pub const fn new(name: &'static str, about: Words) -> Kind {
-        Kind { name, about, keys: &[], check: |_| Vec::new(), repeatable: false }
+        Kind { name, about, keys: &[], check: |_| Vec::new() }
     }
     /// With these keys.
     pub const fn keys(mut self, keys: &'static [Key]) -> Kind {
@@ -43,11 +41,6 @@ impl Kind {
     /// With a check of the values together.
     pub const fn check(mut self, check: fn(&Asked) -> Vec<Objection>) -> Kind {
         self.check = check;
-        self
-    }
-    /// It may be named by a study that repeats another.
-    pub const fn repeatable(mut self) -> Kind {
-        self.repeatable = true;
         self
     }
     /// The key of that name.
@@ -500,13 +493,15 @@ impl Objection {
 pub struct Kinds {
     /// In the order of messages and of the reference.
     pub list: Vec<&'static Kind>,
+    /// Names of those that a study which repeats another may name.
+    pub repeated: Vec<&'static str>,
     /// All their keys, as one table of the file.
     pub(crate) spec: &'static TableSpec,
 }
 
 impl Kinds {
     /// Made once for the life of the program: what the reader knows of tables is static.
-    pub fn new(list: Vec<&'static Kind>) -> Kinds {
+    pub fn new(list: Vec<&'static Kind>, repeated: Vec<&'static str>) -> Kinds {
         let mut fields: Vec<Field> = STUDY.fields.to_vec();
         for key in list.iter().flat_map(|kind| kind.keys) {
             if !fields.iter().any(|f| f.key == key.name) {
@@ -515,7 +510,7 @@ impl Kinds {
             }
         }
         let spec = TableSpec { fields: Box::leak(fields.into_boxed_slice()), ..STUDY };
-        Kinds { list, spec: Box::leak(Box::new(spec)) }
+        Kinds { list, repeated, spec: Box::leak(Box::new(spec)) }
     }
     /// The kind of that name.
     pub fn find(&self, name: &str) -> Option<&'static Kind> {

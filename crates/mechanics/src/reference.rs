@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     fn whole(language: Language) -> String {
-        pages(language, &Kinds::new(Vec::new())).into_iter().map(|p| p.text).collect()
+        pages(language, &Kinds::new(Vec::new(), Vec::new())).into_iter().map(|p| p.text).collect()
     }
 
     #[test]
@@ -85,7 +85,7 @@ mod tests {
         for piece in ["| м/с² |", "| кг·м² |", "| Н·с/м |", "| время |", "0,001 кг", "π/30 рад/с", "| 0,01 |"] {
             assert!(text.contains(piece), "{piece}");
         }
-        let chapters = pages(Language::Ru, &Kinds::new(Vec::new())).into_iter().skip(1).map(|p| p.text).collect::<String>();
+        let chapters = pages(Language::Ru, &Kinds::new(Vec::new(), Vec::new())).into_iter().skip(1).map(|p| p.text).collect::<String>();
         let tables: String = chapters.lines().filter(|l| l.starts_with("| `")).filter_map(|l| l.split('|').nth(3)).collect();
         assert!(!tables.chars().any(|c| c.is_ascii_alphabetic()), "{tables}");
     }

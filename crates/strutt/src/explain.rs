@@ -304,8 +304,8 @@ const OWN: &[Explanation] = &[
         "C032",
         ("No study to repeat", "Нет расчёта для серии"),
         (
-            "A sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse. Add it, or observe `period`.",
-            "Серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse. Добавьте его или наблюдайте `period`.",
+            "A sweep repeats a study of the file; the message names the kinds that can be repeated. Add one of them, or observe `period`.",
+            "Серия повторяет расчёт из файла; виды, которые можно повторять, названы в сообщении. Добавьте один из них или наблюдайте `period`.",
         ),
     ),
     plain(

@@ -133,8 +133,7 @@ pub static KIND: Kind = Kind::new(
     POINTS,
     OWN_PLOT,
 ])
-.check(objections)
-.repeatable();
+.check(objections);
 
 fn objections(asked: &Asked) -> Vec<Objection> {
     let mut found = Vec::new();

@@ -1,6 +1,6 @@
 //! `kind = "equations"`: the page shows the equations of motion; nothing is computed.
 
-use super::{Finds, Found, Study};
+use super::{Finds, Found, Repeats, Study};
 use crate::machine::Machine;
 use crate::watch::Watch;
 use mechanics::asked::{Asked, Kind, Words};
@@ -29,5 +29,8 @@ impl Study for Equations {
     }
     fn has_command(&self) -> bool {
         false
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Never
     }
 }

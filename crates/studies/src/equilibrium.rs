@@ -77,8 +77,7 @@ pub static KIND: Kind = Kind::new("equilibrium", ("Find positions of equilibrium
     .check(|asked| match asked.get("over").is_some() && !asked.has("range") {
         true => vec![no_range("[\"-180 deg\", \"180 deg\"]")],
         false => Vec::new(),
-    })
-    .repeatable();
+    });
 
 /// M006: what is gone over has no range.
 pub fn no_range(example: &str) -> Objection {

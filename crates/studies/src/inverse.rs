@@ -34,8 +34,7 @@ pub static KIND: Kind = Kind::new(
         "Найти силы и моменты двигателей для заданных движений, их мощности и работу",
     ),
 )
-.keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT])
-.repeatable();
+.keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT]);
 
 impl Study for Inverse {
     fn kind(&self) -> &'static Kind {

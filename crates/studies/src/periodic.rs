@@ -127,8 +127,7 @@ pub static KIND: Kind = Kind::new(
     TOLERANCE,
     PLOT,
 ])
-.check(objections)
-.repeatable();
+.check(objections);
 
 fn objections(asked: &Asked) -> Vec<Objection> {
     let mut found = Vec::new();

@@ -92,9 +92,15 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
 pub struct Motion;
 
 /// Its keys.
-pub static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение"))
-    .keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT])
-    .repeatable();
+pub static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение")).keys(&[
+    UNTIL,
+    TOLERANCE_OF_MOTION,
+    METHOD,
+    EVERY,
+    AT,
+    OUTPUTS,
+    PLOT,
+]);
 
 impl Study for Motion {
     fn kind(&self) -> &'static Kind {

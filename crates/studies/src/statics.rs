@@ -26,8 +26,7 @@ const HELD: usize = 10;
 
 /// Its name and its keys.
 pub static KIND: Kind =
-    Kind::new(crate::structure::statics::NAME, ("Find reactions and internal forces at rest", "Найти реакции и внутренние усилия в покое"))
-        .repeatable();
+    Kind::new(crate::structure::statics::NAME, ("Find reactions and internal forces at rest", "Найти реакции и внутренние усилия в покое"));
 
 impl Study for Statics {
     fn kind(&self) -> &'static Kind {

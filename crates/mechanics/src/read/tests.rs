@@ -95,7 +95,7 @@ static EVERYTHING: Kind = Kind::new("everything", ("", ""))
         (Some(turns), Some(settle)) if settle < turns => vec![Objection::at("settle", "M071", "too short", "мало")],
         _ => Vec::new(),
     });
-static NOTHING: Kind = Kind::new("nothing", ("", "")).repeatable();
+static NOTHING: Kind = Kind::new("nothing", ("", ""));
 static ABOUT: Choice = Choice {
     words: &["rest", "start"],
     metavar: "WHAT",
@@ -105,7 +105,7 @@ static ABOUT: Choice = Choice {
 };
 
 fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Notice>> {
-    read_with(text, file, overrides, &Kinds::new(vec![&EVERYTHING, &NOTHING]))
+    read_with(text, file, overrides, &Kinds::new(vec![&EVERYTHING, &NOTHING], vec!["nothing"]))
 }
 
 fn good(text: &str) -> Reading {

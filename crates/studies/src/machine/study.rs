@@ -85,7 +85,7 @@ pub trait Study: Sync {
         &[]
     }
 
-    /// What its repetition over values of parameters gives.
+    /// Whether a study that repeats another may name it, and what its repetition over values of parameters gives: the one place that says so.
     fn repeats(&self) -> Repeats {
         Repeats::Numbers
     }
@@ -188,7 +188,8 @@ impl std::fmt::Debug for Studies {
 impl Studies {
     /// Studies in the order of help and reference.
     pub fn new(rows: &'static [&'static dyn Study]) -> Studies {
-        Studies { rows, kinds: Kinds::new(rows.iter().map(|study| study.kind()).collect()) }
+        let repeated = rows.iter().filter(|study| study.repeats() != Repeats::Never).map(|study| study.kind().name);
+        Studies { rows, kinds: Kinds::new(rows.iter().map(|study| study.kind()).collect(), repeated.collect()) }
     }
 
     /// Every study.

@@ -5,18 +5,13 @@ use super::number::rows_only;
 use super::wanted::Noted;
 use crate::machine::Machine;
 use crate::{Finds, Repeats, periodic, simulate, statics};
-use mechanics::asked::{Asked, Kind, Words};
+use mechanics::asked::{Asked, Kind};
 use words::Notice;
 
 /// Results of the study `periodic` that no other study has.
 const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
 /// Studies that find what they need without a word of the file.
 static ALONE: [&Kind; 2] = [&periodic::KIND, &statics::KIND];
-/// What a sweep repeats.
-const REPEATED: Words = (
-    "a sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse",
-    "серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse",
-);
 
 /// The study to repeat, with the columns that are wanted.
 pub(super) fn base(machine: &Machine, asks: Asks<'_>, wanted: &[Noted]) -> Result<(Asked, Option<usize>), Notice> {
@@ -24,7 +19,7 @@ pub(super) fn base(machine: &Machine, asks: Asks<'_>, wanted: &[Noted]) -> Resul
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
     let kind = asks.of.or(of_periodic.then_some(periodic::KIND.name));
     let first = |fits: &dyn Fn(&Asked) -> bool| machine.model.studies.iter().position(fits);
-    let repeatable = |asked: &Asked| machine.origin.studies.finds(asked.kind) != Finds::Formulas && sort(machine, asked) != Repeats::Never;
+    let repeatable = |asked: &Asked| sort(machine, asked) != Repeats::Never;
     let of = match kind {
         Some(kind) => first(&|asked| asked.kind == kind),
         // greatest values are those of a motion, else of a place of rest: a shape of modes has no size
@@ -46,8 +41,9 @@ pub(super) fn base(machine: &Machine, asks: Asks<'_>, wanted: &[Noted]) -> Resul
         }
         (None, None) if asks.inner.has("until") => changed(machine, simulate::KIND.name, None, asks.inner)?,
         _ => {
+            let list = machine.origin.studies.kinds().repeated.join(", ");
             return Err(Notice::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
-                .why(REPEATED.0, REPEATED.1)
+                .why(format!("a sweep repeats a study of the file: {list}"), format!("серия повторяет расчёт из файла: {list}"))
                 .help("add that study to the file, or observe the period", "добавьте такой расчёт в файл или наблюдайте период (period)"));
         }
     };

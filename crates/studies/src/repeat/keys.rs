@@ -1,7 +1,7 @@
 //! Keys of studies that repeat another one: their own that all of them have, and those of the repeated study that their commands take too.
 
-use crate::Studies;
 use crate::machine::Machine;
+use crate::{Repeats, Studies};
 use analysis::Quantity;
 use mechanics::asked::{Asked, Key, Kind, Takes, Way};
 
@@ -16,10 +16,12 @@ pub const OF: Key = Key::new(
 .option("The study that is repeated, when the file has several", "Повторяемый расчёт, если в файле их несколько")
 .way(Way::Written);
 
-/// Options of every study that may be repeated, the first of each name, without those of the kind itself.
+/// Options of every study that is repeated as a motion or at rest, the first of each name, without those of the kind itself; one that gives numbers of its own
+/// sort is repeated as the file has it.
 pub fn keys(all: &Studies, kind: &Kind) -> Vec<&'static Key> {
     let mut keys: Vec<&'static Key> = Vec::new();
-    for key in all.iter().map(|study| study.kind()).filter(|kind| kind.repeatable).flat_map(|kind| kind.keys) {
+    let repeated = all.iter().filter(|study| matches!(study.repeats(), Repeats::Motion | Repeats::Rest));
+    for key in repeated.flat_map(|study| study.kind().keys) {
         let own = kind.key(key.name).is_some() || keys.iter().any(|k| k.name == key.name);
         // rows and columns are those that are observed; names of coordinates need the study in the file
         let idle = matches!(key.takes, Takes::Results | Takes::Moments | Takes::Step);

@@ -14,13 +14,12 @@ use words::Notice;
 /// The name of a kind of study that may be repeated.
 pub(super) fn kind<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, kinds): (&'static str, &Kinds)) -> Option<String> {
     let (kind, span) = fields.name(reader, key)?;
-    let list: Vec<&str> = kinds.list.iter().filter(|kind| kind.repeatable).map(|kind| kind.name).collect();
-    if list.contains(&kind.as_str()) {
+    if kinds.repeated.contains(&kind.as_str()) {
         return Some(kind);
     }
     let shown = short(&kind);
     let fault = Notice::piece("M064", span, format!("no study `{shown}` can be repeated"), format!("расчёт `{shown}` повторять нельзя"));
-    let list = list.join(", ");
+    let list = kinds.repeated.join(", ");
     reader.fault(fault.help(format!("studies to repeat: {list}"), format!("повторять можно: {list}")));
     None
 }
