@@ -1,7 +1,9 @@
 //! Equations of motion into the tapes of a [`Program`].
 
-use super::connections::{Arrangement, Connected, Selection, fill, reserve, supports, surfaces};
+use super::arrangement::{Arrangement, Selection};
+use super::connections::{Connected, supports};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
+use super::guards::{fill, reserve, surfaces};
 use super::inputs::{over_accelerations, over_reactions, over_states, parameters_only, state_symbols};
 use super::numbers::Numbers;
 use super::steps::steps;

@@ -1,9 +1,11 @@
 //! Lowering: from the expression graph to tapes.
 
+mod arrangement;
 mod connections;
 mod equations;
 mod expressions;
 mod forms;
+mod guards;
 mod inputs;
 mod journals;
 mod linkage;
@@ -11,7 +13,7 @@ mod numbers;
 mod steps;
 mod touches;
 
-pub use connections::{Repeated, Selection};
+pub use arrangement::{Repeated, Selection};
 pub use equations::{equations, equations_with};
 pub use expressions::{Inputs, expressions};
 pub use linkage::{Drive, LinkageRoots, linkage};
