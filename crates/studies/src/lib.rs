@@ -5,7 +5,7 @@
 //! It knows no terminal, process, file or clock.
 //!
 //! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`], `letters` - [`results`], `provenance`, [`observable`] - [`machine`], [`frame`] - `keys`, [`plan`],
-//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], [`scheme`], [`calculation`], [`document`],
+//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], `connections`, [`scheme`], [`calculation`], [`document`],
 //! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large
@@ -15,6 +15,7 @@
 pub mod answers;
 pub mod calculation;
 pub mod claims;
+mod connections;
 pub mod continuation;
 pub mod cycle;
 pub mod document;

@@ -86,6 +86,13 @@ impl Shown {
     }
 }
 
+/// What is assumed of ropes and threads.
+const TAUT: Words = ("ropes are inextensible and massless", "нити нерастяжимые и невесомые");
+/// What is assumed of wheels that turn together.
+const MESHED: Words = ("belts and gears do not slip", "ремни и колёса передач не проскальзывают");
+/// What is assumed of wheels on tracks.
+const ROLLING: Words = ("wheels roll without slip", "качение происходит без проскальзывания");
+
 /// Elements and loads in the order of `mechanics::elements::TABLE`, then connections in that of `mechanics::connections::TABLE`.
 pub const TABLE: &[Shown] = &[
     Shown::new("springs", Role::Spring, &["spring", "torsion_spring", "backlash"])
@@ -114,21 +121,24 @@ pub const TABLE: &[Shown] = &[
     Shown::new("sliders", Role::Joint, &["slider", "guides"]),
     Shown::new("slots", Role::Slot, &["slot", "slider"]),
     Shown::new("rods", Role::Joint, &["rod", "link"]),
-    Shown::new("ropes", Role::Thread, &["thread", "drum", "pulley", "ring_eye"]).letter("S"),
-    Shown::new("threads", Role::Thread, &["thread", "drum", "pulley", "ring_eye"]).letter("S"),
+    Shown::new("ropes", Role::Thread, &["thread", "drum", "pulley", "ring_eye"]).letter("S").assumed(TAUT),
+    Shown::new("threads", Role::Thread, &["thread", "drum", "pulley", "ring_eye"]).letter("S").assumed(TAUT),
     Shown::new("belts", Role::Belt, &["belt", "belt_crossed", "pulley"])
         .wheel("pulley")
         .letter("S")
-        .wheels(("open belt", "открытая ремённая передача"), ("crossed belt", "перекрёстная ремённая передача")),
+        .wheels(("open belt", "открытая ремённая передача"), ("crossed belt", "перекрёстная ремённая передача"))
+        .assumed(MESHED),
     Shown::new("chains", Role::Chain, &["chain", "pulley"])
         .wheel("pulley")
         .letter("S")
-        .wheels(("chain", "цепная передача"), ("chain", "цепная передача")),
+        .wheels(("chain", "цепная передача"), ("chain", "цепная передача"))
+        .assumed(MESHED),
     Shown::new("gears", Role::Gear, &["gear", "gear_internal", "gear_side"])
         .wheel("gear")
-        .wheels(("internal gears", "внутреннее зубчатое зацепление"), ("gears", "внешнее зубчатое зацепление")),
-    Shown::new("racks", Role::Rack, &["rack", "gear"]).wheel("gear"),
-    Shown::new("rolling", Role::Rolling, &["wall", "track_circle", "disc"]).wheel("disc"),
+        .wheels(("internal gears", "внутреннее зубчатое зацепление"), ("gears", "внешнее зубчатое зацепление"))
+        .assumed(MESHED),
+    Shown::new("racks", Role::Rack, &["rack", "gear"]).wheel("gear").assumed(ROLLING),
+    Shown::new("rolling", Role::Rolling, &["wall", "track_circle", "disc"]).wheel("disc").assumed(ROLLING),
     Shown::new("constraints", Role::Other, &["condition"]).letter("f"),
     Shown::new("supports", Role::Other, &["pin_fixed", "support_roller", "clamp", "clamp_guided", "bearing"]),
     Shown::new("motions", Role::Motion, &["motion", "motion_turn"]).along("motion").turning("motion_turn"),
@@ -162,7 +172,7 @@ mod tests {
             let of_element = mechanics::elements::TABLE.iter().any(|e| e.keys.name == row.table) || row.table == "distributed";
             let of_connection = mechanics::connections::TABLE.iter().any(|c| c.keys.name == row.table);
             assert!(of_element != of_connection, "[{}] is no table of the file", row.table);
-            // what connections are called follows from their data: `written::facts`
+            // what connections are called follows from their data: `connections`
             assert!(!of_element || !row.called.0.is_empty() && !row.letter.is_empty(), "[{}] has no name or no letter", row.table);
             let drawn = [row.along, row.turning, row.wheel];
             assert!(

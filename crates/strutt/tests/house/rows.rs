@@ -191,3 +191,12 @@ fn says(line: &str, quoted: &str) -> bool {
         !key && !line[i + quoted.len()..].starts_with(':')
     })
 }
+
+/// What figures and sentences need of a kind of connection stands in its file of `studies::connections`: nobody else there looks at what kind one is.
+#[test]
+fn kinds_of_connections_are_told_apart_in_one_place() {
+    for (file, text) in Crate::open("studies").files {
+        let file = file.join("::");
+        assert!(file == "connections" || !text.contains("ConnectionKind"), "studies, {file}: a question for `studies::connections`");
+    }
+}

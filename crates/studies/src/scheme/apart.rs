@@ -3,9 +3,9 @@
 
 use super::groups::{Groups, Joint};
 use super::numbers::{Numbers, STILL, V3, minus, norm, plus};
+use crate::connections::{Pair, pairs};
 use crate::machine::Machine;
 use crate::shown::{Role, role};
-use mechanics::model::ConnectionKind;
 
 /// Distance of the axes of a belt, in sums of its radii.
 const AWAY: f64 = 1.7;
@@ -14,12 +14,11 @@ const AWAY: f64 = 1.7;
 pub(super) fn apart(machine: &Machine, (groups, numbers): (&Groups, &Numbers), shifts: &mut [V3]) {
     let model = &machine.model;
     let mut placed = vec![false; groups.all.len()];
-    for connection in &model.connections {
-        let ConnectionKind::Wheels { between, radii, opposite, .. } = &connection.kind else { continue };
-        let gear = role(connection.table) == Role::Gear;
+    for (table, Pair { between, radii, opposite }) in pairs(model) {
+        let gear = role(table) == Role::Gear;
         let [a, b] = between.map(|f| groups.of(f));
         let bare = |g: usize| groups.all[g].joint == Joint::Turns && groups.all[g].carrier == 0;
-        if a == b || !bare(a) || !bare(b) || gear && !*opposite {
+        if a == b || !bare(a) || !bare(b) || gear && !opposite {
             continue;
         }
         let at = |k: usize, g: usize| plus(numbers.frames[0][between[k].index()].origin, 1.0, shifts[g]);

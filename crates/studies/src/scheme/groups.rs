@@ -1,8 +1,9 @@
 //! Groups of frames that are one piece, and how each moves against the one that carries it.
 
 use super::numbers::{ALIKE, Numbers, Pose, STILL, V3, dot, minus, norm, unit};
+use crate::connections::{Grip, Held, Place, grips};
 use mechanics::Model;
-use mechanics::model::{ConnectionKind, Frame, FrameId, Origin, PointRef};
+use mechanics::model::{Frame, FrameId, Origin, PointRef};
 
 /// How a group moves against its carrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,6 +99,14 @@ impl Groups {
     pub fn of_point(&self, model: &Model, point: PointRef) -> usize {
         self.of(frame_of(model, point))
     }
+
+    /// The group that a connection takes hold of.
+    pub fn of_grip(&self, model: &Model, grip: &Grip) -> usize {
+        match grip.what {
+            Place::Point(point) => self.of_point(model, point),
+            Place::Frame(frame) => self.of(frame),
+        }
+    }
 }
 
 /// The frame a point belongs to.
@@ -115,14 +124,8 @@ fn group(root: FrameId, (carrier, joint): (usize, Joint), path: &str) -> Group {
 /// Whether hinges or supports of the file hold a body.
 fn is_held(model: &Model, body: FrameId) -> bool {
     let on = |p: &PointRef| frame_of(model, *p) == body;
-    model.connections.iter().any(|c| match &c.kind {
-        ConnectionKind::Pin { between, .. } | ConnectionKind::Weld { between, .. } | ConnectionKind::Rod { between, .. } => {
-            between.iter().any(on)
-        }
-        ConnectionKind::Support { at, .. } => on(at),
-        ConnectionKind::Slider { point, .. } => on(point),
-        _ => false,
-    })
+    let holds = |held| matches!(held, Held::Hinged | Held::Fixed | Held::Linked | Held::Supported | Held::Slides);
+    grips(model).any(|grip| holds(grip.held) && matches!(&grip.what, Place::Point(p) if on(p)))
 }
 
 /// What a frame is hinged to: the frame of the point that it begins at.

@@ -3,16 +3,17 @@
 use super::ends::Ends;
 use super::groups::Joint;
 use super::sketch::{Act, Sketch};
+use crate::connections::{Held, Layer, Rolls, Support};
 use crate::shown::{Role, role, role_at};
-use mechanics::model::{ConnectionKind, FrameId, PointRef, Slides, SupportDirection, Track};
+use mechanics::model::{FrameId, PointRef, SupportDirection, Track};
 use report::scheme::{P, Place, Rides, S, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 impl Sketch<'_> {
     /// Hinges and supports.
     pub(super) fn holds(&mut self) {
-        self.supports();
-        self.pins();
+        self.layer(Layer::Supports);
+        self.layer(Layer::Joints);
         for i in 1..self.groups.all.len() {
             let group = &self.groups.all[i];
             if group.joint != Joint::Turns || self.is_shaft(i) {
@@ -96,44 +97,39 @@ impl Sketch<'_> {
         out
     }
 
-    fn pins(&mut self) {
-        let machine = self.machine;
-        for connection in &machine.model.connections {
-            let path = format!("{}.{}", connection.table, connection.name);
-            match &connection.kind {
-                ConnectionKind::Pin { between: [a, b], .. } => {
-                    let on_ground = self.group_of(*a) == 0 || self.group_of(*b) == 0;
-                    let at = self.seen(if self.group_of(*a) == 0 { *a } else { *b });
-                    self.rides = Rides::on(if on_ground { 0 } else { self.group_of(*b) });
-                    self.hinge(at, &path, on_ground.then_some(()));
-                }
-                ConnectionKind::Weld { between: [a, b], .. } => {
-                    let at = self.seen(*a);
-                    self.rides = Rides::on(self.group_of(*a));
-                    if self.group_of(*a) == 0 || self.group_of(*b) == 0 {
-                        let turn = self.busy(at).first().map_or(-FRAC_PI_2, |t| t + PI);
-                        self.put("clamp", &path, Place { at, turn, ..Place::default() });
-                    } else {
-                        let turn = self.busy(at).first().map_or(0.0, |t| t + PI);
-                        self.put("weld", &path, Place { at, turn, ..Place::default() });
-                    }
-                    self.hinges.push(at);
-                }
-                ConnectionKind::Slider { point, on, direction, .. } => self.slider(&path, (*point, *on), *direction),
-                ConnectionKind::Rod { between: [a, b], .. } => {
-                    for end in [a, b] {
-                        let at = self.seen(*end);
-                        let on_ground = self.group_of(*end) == 0;
-                        self.rides = Rides::on(self.group_of(*end));
-                        self.hinge(at, &path, on_ground.then_some(()));
-                    }
-                }
-                _ => {}
-            }
+    /// A hinge where two points coincide.
+    pub(super) fn pinned(&mut self, path: &str, [a, b]: [PointRef; 2]) {
+        let on_ground = self.group_of(a) == 0 || self.group_of(b) == 0;
+        let at = self.seen(if self.group_of(a) == 0 { a } else { b });
+        self.rides = Rides::on(if on_ground { 0 } else { self.group_of(b) });
+        self.hinge(at, path, on_ground.then_some(()));
+    }
+
+    /// A rigid joint of two points.
+    pub(super) fn welded(&mut self, path: &str, [a, b]: [PointRef; 2]) {
+        let at = self.seen(a);
+        self.rides = Rides::on(self.group_of(a));
+        if self.group_of(a) == 0 || self.group_of(b) == 0 {
+            let turn = self.busy(at).first().map_or(-FRAC_PI_2, |t| t + PI);
+            self.put("clamp", path, Place { at, turn, ..Place::default() });
+        } else {
+            let turn = self.busy(at).first().map_or(0.0, |t| t + PI);
+            self.put("weld", path, Place { at, turn, ..Place::default() });
+        }
+        self.hinges.push(at);
+    }
+
+    /// Hinges at the ends of a rod.
+    pub(super) fn hinged_ends(&mut self, path: &str, between: [PointRef; 2]) {
+        for end in between {
+            let at = self.seen(end);
+            let on_ground = self.group_of(end) == 0;
+            self.rides = Rides::on(self.group_of(end));
+            self.hinge(at, path, on_ground.then_some(()));
         }
     }
 
-    fn slider(&mut self, path: &str, (point, on): (PointRef, FrameId), along: symbolic::Expr) {
+    pub(super) fn slider(&mut self, path: &str, (point, on): (PointRef, FrameId), along: symbolic::Expr) {
         let at = self.seen(point);
         let pose = self.numbers.frames[0][on.index()];
         let angle = self.numbers.value(self.machine, along);
@@ -168,47 +164,42 @@ impl Sketch<'_> {
         self.hinge(at, path, None);
     }
 
-    fn supports(&mut self) {
-        let machine = self.machine;
-        for connection in &machine.model.connections {
-            let ConnectionKind::Support { at, directions, axes, on } = &connection.kind else { continue };
-            let path = format!("supports.{}", connection.name);
-            let place = self.seen(*at);
-            // it holds its body against what that stands on
-            let bearer = on.map_or(self.groups.all[self.group_of(*at)].carrier, |f| self.groups.of(f));
-            self.rides = Rides::on(bearer);
-            // floors and guides of blocks show what holds them across their way
-            let own = self.group_of(*at);
-            if self.blocks[own].is_some() && matches!(self.groups.all[own].joint, Joint::Slides(_)) {
-                continue;
-            }
-            let turned = self.numbers.frames[0][axes.index()].angle();
-            let has = |d: SupportDirection| directions.contains(&d);
-            let (x, y, fixed) = (has(SupportDirection::X), has(SupportDirection::Y), has(SupportDirection::TurnZ));
-            if mechanics::is_spatial(&machine.model) && self.is_on_shaft(*at) {
-                self.put("bearing", &path, Place { at: place, ..Place::default() });
-                self.hinges.push(place);
-                continue;
-            }
-            if bearer != 0 {
-                self.hinge(place, &path, None);
-                continue;
-            }
-            let side = self.free_side(place);
-            let symbol = match (x, y, fixed) {
-                (true, true, true) => ("clamp", self.busy(place).first().map_or(side, |t| t + PI)),
-                (true, true, false) => ("pin_fixed", side),
-                (true, false, false) => ("support_roller", turned + if side.cos() < 0.5 { PI } else { 0.0 }),
-                (false, true, false) => ("support_roller", turned + if side.sin() > 0.5 { FRAC_PI_2 } else { -FRAC_PI_2 }),
-                (true, false, true) => ("clamp_guided", turned + if side.cos() < 0.5 { PI } else { 0.0 }),
-                _ => ("clamp_guided", turned - FRAC_PI_2),
-            };
-            if self.hinges.iter().any(|p| distance(*p, place) < 4.0) {
-                continue;
-            }
-            self.hinges.push(place);
-            self.put(symbol.0, &path, Place { at: place, turn: symbol.1, ..Place::default() });
+    /// A support against what its body stands on.
+    pub(super) fn supported(&mut self, path: &str, support: &Support) {
+        let place = self.seen(support.at);
+        let bearer = support.on.map_or(self.groups.all[self.group_of(support.at)].carrier, |f| self.groups.of(f));
+        self.rides = Rides::on(bearer);
+        // floors and guides of blocks show what holds them across their way
+        let own = self.group_of(support.at);
+        if self.blocks[own].is_some() && matches!(self.groups.all[own].joint, Joint::Slides(_)) {
+            return;
         }
+        if mechanics::is_spatial(&self.machine.model) && self.is_on_shaft(support.at) {
+            self.put("bearing", path, Place { at: place, ..Place::default() });
+            self.hinges.push(place);
+            return;
+        }
+        if bearer != 0 {
+            self.hinge(place, path, None);
+            return;
+        }
+        let turned = self.numbers.frames[0][support.axes.index()].angle();
+        let has = |d: SupportDirection| support.directions.contains(&d);
+        let (x, y, fixed) = (has(SupportDirection::X), has(SupportDirection::Y), has(SupportDirection::TurnZ));
+        let side = self.free_side(place);
+        let symbol = match (x, y, fixed) {
+            (true, true, true) => ("clamp", self.busy(place).first().map_or(side, |t| t + PI)),
+            (true, true, false) => ("pin_fixed", side),
+            (true, false, false) => ("support_roller", turned + if side.cos() < 0.5 { PI } else { 0.0 }),
+            (false, true, false) => ("support_roller", turned + if side.sin() > 0.5 { FRAC_PI_2 } else { -FRAC_PI_2 }),
+            (true, false, true) => ("clamp_guided", turned + if side.cos() < 0.5 { PI } else { 0.0 }),
+            _ => ("clamp_guided", turned - FRAC_PI_2),
+        };
+        if self.hinges.iter().any(|p| distance(*p, place) < 4.0) {
+            return;
+        }
+        self.hinges.push(place);
+        self.put(symbol.0, path, Place { at: place, turn: symbol.1, ..Place::default() });
     }
 
     /// How far a point goes along a direction of the picture in the course of the motion, back and forth, pixels.
@@ -245,11 +236,7 @@ impl Sketch<'_> {
 
     /// Whether a hinge, guide or slot is at a group.
     pub(super) fn is_pinned(&self, group: usize) -> bool {
-        self.machine.model.connections.iter().any(|c| match &c.kind {
-            ConnectionKind::Pin { between, .. } => between.iter().any(|p| self.group_of(*p) == group),
-            ConnectionKind::Slider { on, .. } => self.groups.of(*on) == group,
-            _ => false,
-        })
+        self.is_gripped(group, &[Held::Hinged, Held::Guides])
     }
 
     /// A hatched floor below a block.
@@ -281,52 +268,47 @@ impl Sketch<'_> {
         self.put("guides", "ground", Place { at: from, to, other: block.half[1] + 1.5, ..Place::default() });
     }
 
-    /// Lines and circles on which wheels roll, and racks.
+    /// Lines and circles on which wheels roll, racks, and where points rub.
     pub(super) fn tracks(&mut self) {
+        self.layer(Layer::Tracks);
+        self.layer(Layer::Rubbed);
+    }
+
+    /// What a wheel rolls on.
+    pub(super) fn rolled_on(&mut self, path: &str, rolls: &Rolls) {
         let machine = self.machine;
-        for connection in &machine.model.connections {
-            let ConnectionKind::Rolling { center, radius, on, track, .. } = &connection.kind else { continue };
-            let path = format!("{}.{}", connection.table, connection.name);
-            let (c, r) = (self.seen(*center), self.long(self.numbers.value(machine, *radius)));
-            let bearer = self.groups.of(*on);
-            self.rides = Rides::on(bearer);
-            let Track::Line { direction: along, left, .. } = track else {
-                if let Track::Circle { center, radius, .. } = track {
-                    let (at, size) = (self.seen(*center), self.long(self.numbers.value(machine, *radius)));
-                    self.put("track_circle", &path, Place { at, size, ..Place::default() });
-                }
-                continue;
-            };
-            let angle = self.numbers.value(machine, *along);
-            let pose = self.numbers.frames[0][on.index()];
-            let turn = self.stage.turn(pose.shown([angle.cos(), angle.sin(), 0.0])).unwrap_or(0.0);
-            let side = if *left { 1.0 } else { -1.0 };
-            let contact = polar(c, -r, turn + side * FRAC_PI_2);
-            let half = (1.2 * r).clamp(2.2 * S, 6.0 * S);
-            let [back, forth] = if bearer == 0 { self.swept_at(self.group_of(*center), turn) } else { [0.0; 2] };
-            let (a, b) = (polar(contact, back - half, turn), polar(contact, forth + half, turn));
-            let (from, to) = if *left { (a, b) } else { (b, a) };
-            if role(connection.table) == Role::Rack {
-                // the teeth of the rack mesh with those of the wheel
-                self.put("rack", &path, Place { at: from, to, ..Place::default() });
-                if bearer == 0 {
-                    let back = |p: P| polar(p, -9.0, turn + side * FRAC_PI_2);
-                    self.put("wall", "ground", Place { at: back(from), to: back(to), ..Place::default() });
-                }
-            } else if bearer == 0 {
-                self.put("wall", &path, Place { at: from, to, ..Place::default() });
-                self.slope((from, to), *along, &path);
-            } else {
-                self.put("link", &path, Place { at: from, to, ..Place::default() });
+        let (c, r) = (self.seen(rolls.center), self.long(self.numbers.value(machine, rolls.radius)));
+        let bearer = self.groups.of(rolls.on);
+        self.rides = Rides::on(bearer);
+        let (along, left) = match rolls.track {
+            Track::Line { direction, left, .. } => (direction, left),
+            Track::Circle { center, radius, .. } => {
+                let (at, size) = (self.seen(center), self.long(self.numbers.value(machine, radius)));
+                self.put("track_circle", path, Place { at, size, ..Place::default() });
+                return;
             }
-        }
-        for friction in &machine.model.connections {
-            if let ConnectionKind::Friction { slides: Slides::Point { point, .. }, .. } = &friction.kind {
-                let at = self.seen(*point);
-                self.rides = Rides::along(self.group_of(*point));
-                let path = format!("frictions.{}", friction.name);
-                self.put("slip_mark", &path, Place { at, size: 0.5 * S, ..Place::default() });
+        };
+        let angle = self.numbers.value(machine, along);
+        let pose = self.numbers.frames[0][rolls.on.index()];
+        let turn = self.stage.turn(pose.shown([angle.cos(), angle.sin(), 0.0])).unwrap_or(0.0);
+        let side = if left { 1.0 } else { -1.0 };
+        let contact = polar(c, -r, turn + side * FRAC_PI_2);
+        let half = (1.2 * r).clamp(2.2 * S, 6.0 * S);
+        let [back, forth] = if bearer == 0 { self.swept_at(self.group_of(rolls.center), turn) } else { [0.0; 2] };
+        let (a, b) = (polar(contact, back - half, turn), polar(contact, forth + half, turn));
+        let (from, to) = if left { (a, b) } else { (b, a) };
+        if role_at(path) == Role::Rack {
+            // the teeth of the rack mesh with those of the wheel
+            self.put("rack", path, Place { at: from, to, ..Place::default() });
+            if bearer == 0 {
+                let back = |p: P| polar(p, -9.0, turn + side * FRAC_PI_2);
+                self.put("wall", "ground", Place { at: back(from), to: back(to), ..Place::default() });
             }
+        } else if bearer == 0 {
+            self.put("wall", path, Place { at: from, to, ..Place::default() });
+            self.slope((from, to), along, path);
+        } else {
+            self.put("link", path, Place { at: from, to, ..Place::default() });
         }
     }
 

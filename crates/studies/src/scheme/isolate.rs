@@ -7,8 +7,9 @@ use super::ends::Ends;
 use super::groups::Joint;
 use super::numbers::V3;
 use super::sketch::{Act, Sketch};
-use crate::shown::{Role, role, role_at};
-use mechanics::model::{ConnectionKind, FrameId, PointRef, Site, SupportDirection, Track, Wound};
+use crate::connections::{self, Guide, Held, Knife, Own, Pair, Rolls, Rope, Support};
+use crate::shown::{Role, role};
+use mechanics::model::{FrameId, PointRef, Site, SupportDirection, Track, Wound};
 use report::formula::{Form, Printer};
 use report::scheme::{LabelText, P, Place, S, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -95,50 +96,8 @@ impl Cut<'_, '_> {
 
     fn connections(&mut self) {
         let machine = self.sketch.machine;
-        for c in &machine.model.connections {
-            let path = format!("{}.{}", c.table, c.name);
-            let names = (path.as_str(), c.name.as_str());
-            match &c.kind {
-                ConnectionKind::Pin { between, axes } | ConnectionKind::Weld { between, axes } => {
-                    let Some((at, sign)) = self.end(*between) else { continue };
-                    self.components(names, at, (*axes, sign));
-                    if role(c.table) == Role::Weld {
-                        let letter = self.letter("moment", &c.name, "M");
-                        self.bow(&path, (at, sign), letter);
-                    }
-                }
-                ConnectionKind::Support { at, directions, axes, .. } if self.is_mine(*at) => self.support(names, (*at, *axes), directions),
-                ConnectionKind::Slider { point, on, direction, turns, .. } => {
-                    let sign = match (self.is_mine(*point), self.sketch.groups.of(*on) == self.group) {
-                        (true, false) => 1.0,
-                        (false, true) => -1.0,
-                        _ => continue,
-                    };
-                    let at = self.sketch.seen(*point);
-                    let angle = self.sketch.numbers.value(machine, *direction) + FRAC_PI_2;
-                    let normal = self.sketch.numbers.frames[0][on.index()].shown([sign * angle.cos(), sign * angle.sin(), 0.0]);
-                    let Some(turn) = self.sketch.stage.turn(normal) else { continue };
-                    let letter = self.letter("force", &c.name, "N");
-                    self.arrow(&path, (at, turn), letter);
-                    if !turns {
-                        let letter = self.letter("moment", &c.name, "M");
-                        self.bow(&path, (at, sign), letter);
-                    }
-                }
-                ConnectionKind::Rod { between: [a, b], .. } => self.pull(names, (*a, *b)),
-                ConnectionKind::Rope { path: points, wound, .. } => {
-                    self.drums(names, points, wound);
-                    for pair in points.windows(2) {
-                        self.pull(names, (pair[0], pair[1]));
-                    }
-                }
-                ConnectionKind::Wheels { between, radii, opposite, .. } => {
-                    let radii = radii.map(|r| self.sketch.numbers.value(machine, r));
-                    self.mesh(names, (*between, radii), if *opposite { 1.0 } else { -1.0 });
-                }
-                ConnectionKind::Rolling { .. } => self.rolling(names, &c.kind),
-                _ => {}
-            }
+        for connection in &machine.model.connections {
+            connections::of(connection).cut(&Own::of(connection), self);
         }
     }
 
@@ -148,98 +107,6 @@ impl Cut<'_, '_> {
             (true, false) => Some((self.sketch.seen(a), -1.0)),
             (false, true) => Some((self.sketch.seen(b), 1.0)),
             _ => None,
-        }
-    }
-
-    fn support(&mut self, (path, name): (&str, &str), (at, axes): (PointRef, FrameId), directions: &[SupportDirection]) {
-        let place = self.sketch.seen(at);
-        let pose = self.sketch.numbers.frames[0][axes.index()];
-        self.taken.push(place);
-        for d in directions {
-            let (part, letter, v) = match d {
-                SupportDirection::X => ("force_x", "X", [1.0, 0.0, 0.0]),
-                SupportDirection::Y => ("force_y", "Y", [0.0, 1.0, 0.0]),
-                SupportDirection::Z => ("force_z", "Z", [0.0, 0.0, 1.0]),
-                _ => {
-                    let letter = self.letter("moment", name, "M");
-                    self.bow(path, (place, 1.0), letter);
-                    continue;
-                }
-            };
-            let Some(turn) = self.sketch.stage.turn(pose.shown(v)) else { continue };
-            let letter = self.letter(part, name, letter);
-            self.arrow(path, (place, turn), letter);
-        }
-    }
-
-    /// A tie pulls its end towards the other one.
-    fn pull(&mut self, (path, name): (&str, &str), (a, b): (PointRef, PointRef)) {
-        let (own, other) = match (self.is_mine(a), self.is_mine(b)) {
-            (true, false) => (a, b),
-            (false, true) => (b, a),
-            _ => return,
-        };
-        let (at, to) = (self.sketch.seen(own), self.sketch.seen(other));
-        let letter = self.letter("force", name, "S");
-        self.arrow(path, (at, direction(at, to)), letter);
-    }
-
-    /// A rope pulls at the rim of a drum.
-    fn drums(&mut self, (path, name): (&str, &str), points: &[PointRef], wound: &[Wound]) {
-        let own: Vec<&Wound> = wound.iter().filter(|d| self.sketch.groups.of(d.on) == self.group).collect();
-        for drum in own {
-            let mut way: Vec<P> = points.iter().map(|p| self.sketch.seen(*p)).collect();
-            self.sketch.onto(&mut way, drum);
-            let center = self.sketch.origin(drum.on);
-            if way.first().zip(way.last()).is_some_and(|(a, b)| distance(*a, center) < distance(*b, center)) {
-                way.reverse();
-            }
-            let [.., from, rim] = way[..] else { continue };
-            let letter = self.letter("force", name, "S");
-            self.arrow(path, (rim, direction(rim, from)), letter);
-        }
-    }
-
-    /// The tooth or belt force on a wheel: it turns the second one in the positive direction.
-    /// The first one, too, where they turn opposite to one another (`sense` 1), else in the negative one (-1): r₁ φ₁ ± r₂ φ₂ = 0.
-    fn mesh(&mut self, (path, name): (&str, &str), (between, radii): ([FrameId; 2], [f64; 2]), sense: f64) {
-        let mine = between.map(|f| self.sketch.groups.of(f) == self.group);
-        let Some(k) = (0..2).find(|k| mine[*k] && !mine[1 - *k]) else { return };
-        let [own, other] = [between[k], between[1 - k]].map(|f| self.sketch.origin(f));
-        let r = self.sketch.long(radii[k]);
-        let toward = direction(own, other);
-        // the smaller wheel meshes with inner teeth on its far side
-        let inside = role_at(path) == Role::Gear && sense < 0.0 && radii[k] < radii[1 - k];
-        let side = if inside { toward + PI } else { toward };
-        let contact = polar(own, r, side);
-        let turn = side + FRAC_PI_2 * if k == 1 { 1.0 } else { sense };
-        let letter = self.letter("force", name, "F");
-        self.arrow(path, (contact, turn), letter);
-    }
-
-    fn rolling(&mut self, (path, name): (&str, &str), kind: &ConnectionKind) {
-        let ConnectionKind::Rolling { wheel, center, radius, on, track: Track::Line { direction: along, left, .. }, .. } = kind else {
-            return;
-        };
-        let sign = match (self.sketch.groups.of(*wheel) == self.group, self.sketch.groups.of(*on) == self.group) {
-            (true, false) => 1.0,
-            (false, true) => -1.0,
-            _ => return,
-        };
-        let machine = self.sketch.machine;
-        let (c, r) = (self.sketch.seen(*center), self.sketch.long(self.sketch.numbers.value(machine, *radius)));
-        let angle = self.sketch.numbers.value(machine, *along);
-        let way: V3 = self.sketch.numbers.frames[0][on.index()].shown([angle.cos(), angle.sin(), 0.0]);
-        let Some(turn) = self.sketch.stage.turn(way) else { return };
-        let normal = turn + if *left { FRAC_PI_2 } else { -FRAC_PI_2 };
-        let contact = polar(c, -r, normal);
-        let flip = if sign < 0.0 { PI } else { 0.0 };
-        let part = if role_at(path) == Role::Rack { "force" } else { "tangential" };
-        let letter = self.letter(part, name, "F");
-        self.arrow(path, (contact, turn + flip), letter);
-        if role_at(path) == Role::Rolling {
-            let letter = self.letter("normal", name, "N");
-            self.arrow(path, (contact, normal + flip), letter);
         }
     }
 
@@ -268,11 +135,7 @@ impl Cut<'_, '_> {
     /// Whether something that the coordinates hide holds a body across its way: nothing of the file does, and something presses it there.
     fn is_pressed(&self) -> bool {
         let sketch = &*self.sketch;
-        let held = sketch.machine.model.connections.iter().any(|c| match &c.kind {
-            ConnectionKind::Support { at, .. } => self.is_mine(*at),
-            ConnectionKind::Slider { point, .. } => self.is_mine(*point),
-            _ => false,
-        });
+        let held = sketch.is_gripped(self.group, &[Held::Supported, Held::Slides]);
         let carries = sketch.groups.all.iter().any(|g| g.carrier == self.group && g.joint == Joint::Turns);
         !held && (sketch.is_guided(self.group) || carries)
     }
@@ -331,7 +194,7 @@ impl Cut<'_, '_> {
     /// make it shorter, frictions resist.
     fn grows(&self, act: &Act) -> bool {
         match role(act.table) {
-            Role::Stop => matches!(self.sketch.connection(act), Some(ConnectionKind::Stop { above: true, .. })),
+            Role::Stop => self.sketch.connection(act).and_then(|tie| tie.limit()).is_some_and(|limit| limit.above),
             role => matches!(role, Role::Force | Role::Motor | Role::Motion),
         }
     }
@@ -399,6 +262,138 @@ impl Cut<'_, '_> {
         self.sketch.put("axes", "ground", Place { at, path: tips.iter().map(|t| t.0).collect(), ..Place::default() });
         for (tip, name) in tips {
             self.sketch.note(LabelText::Symbol(name.to_owned()), tip, 4.0, None);
+        }
+    }
+}
+
+impl Knife for Cut<'_, '_> {
+    fn pin(&mut self, own: &Own, between: [PointRef; 2], axes: FrameId) {
+        if let Some((at, sign)) = self.end(between) {
+            self.components((&own.path, own.name), at, (axes, sign));
+        }
+    }
+
+    fn weld(&mut self, own: &Own, between: [PointRef; 2], axes: FrameId) {
+        self.pin(own, between, axes);
+        if let Some((at, sign)) = self.end(between) {
+            let letter = self.letter("moment", own.name, "M");
+            self.bow(&own.path, (at, sign), letter);
+        }
+    }
+
+    fn guide(&mut self, own: &Own, guide: &Guide) {
+        let sign = match (self.is_mine(guide.point), self.sketch.groups.of(guide.on) == self.group) {
+            (true, false) => 1.0,
+            (false, true) => -1.0,
+            _ => return,
+        };
+        let at = self.sketch.seen(guide.point);
+        let angle = self.sketch.numbers.value(self.sketch.machine, guide.direction) + FRAC_PI_2;
+        let normal = self.sketch.numbers.frames[0][guide.on.index()].shown([sign * angle.cos(), sign * angle.sin(), 0.0]);
+        let Some(turn) = self.sketch.stage.turn(normal) else { return };
+        let letter = self.letter("force", own.name, "N");
+        self.arrow(&own.path, (at, turn), letter);
+        if !guide.turns {
+            let letter = self.letter("moment", own.name, "M");
+            self.bow(&own.path, (at, sign), letter);
+        }
+    }
+
+    /// A tie pulls its end towards the other one.
+    fn pull(&mut self, own: &Own, [a, b]: [PointRef; 2]) {
+        let (mine, other) = match (self.is_mine(a), self.is_mine(b)) {
+            (true, false) => (a, b),
+            (false, true) => (b, a),
+            _ => return,
+        };
+        let (at, to) = (self.sketch.seen(mine), self.sketch.seen(other));
+        let letter = self.letter("force", own.name, "S");
+        self.arrow(&own.path, (at, direction(at, to)), letter);
+    }
+
+    /// A rope pulls at the rim of a drum, and at its points towards the next ones.
+    fn rope(&mut self, own: &Own, rope: &Rope) {
+        let drums: Vec<&Wound> = rope.wound.iter().filter(|d| self.sketch.groups.of(d.on) == self.group).collect();
+        for drum in drums {
+            let mut way: Vec<P> = rope.path.iter().map(|p| self.sketch.seen(*p)).collect();
+            self.sketch.onto(&mut way, drum);
+            let center = self.sketch.origin(drum.on);
+            if way.first().zip(way.last()).is_some_and(|(a, b)| distance(*a, center) < distance(*b, center)) {
+                way.reverse();
+            }
+            let [.., from, rim] = way[..] else { continue };
+            let letter = self.letter("force", own.name, "S");
+            self.arrow(&own.path, (rim, direction(rim, from)), letter);
+        }
+        for pair in rope.path.windows(2) {
+            self.pull(own, [pair[0], pair[1]]);
+        }
+    }
+
+    /// The tooth or belt force on a wheel: it turns the second one in the positive direction.
+    /// The first one, too, where they turn opposite to one another (`sense` 1), else in the negative one (-1): r₁ φ₁ ± r₂ φ₂ = 0.
+    fn pair(&mut self, own: &Own, pair: &Pair) {
+        let radii = pair.radii.map(|r| self.sketch.numbers.value(self.sketch.machine, r));
+        let sense = if pair.opposite { 1.0 } else { -1.0 };
+        let mine = pair.between.map(|f| self.sketch.groups.of(f) == self.group);
+        let Some(k) = (0..2).find(|k| mine[*k] && !mine[1 - *k]) else { return };
+        let [this, other] = [pair.between[k], pair.between[1 - k]].map(|f| self.sketch.origin(f));
+        let r = self.sketch.long(radii[k]);
+        let toward = direction(this, other);
+        // the smaller wheel meshes with inner teeth on its far side
+        let inside = role(own.table) == Role::Gear && sense < 0.0 && radii[k] < radii[1 - k];
+        let side = if inside { toward + PI } else { toward };
+        let contact = polar(this, r, side);
+        let turn = side + FRAC_PI_2 * if k == 1 { 1.0 } else { sense };
+        let letter = self.letter("force", own.name, "F");
+        self.arrow(&own.path, (contact, turn), letter);
+    }
+
+    fn rolls(&mut self, own: &Own, rolls: &Rolls) {
+        let Track::Line { direction: along, left, .. } = rolls.track else { return };
+        let sign = match (self.sketch.groups.of(rolls.wheel) == self.group, self.sketch.groups.of(rolls.on) == self.group) {
+            (true, false) => 1.0,
+            (false, true) => -1.0,
+            _ => return,
+        };
+        let machine = self.sketch.machine;
+        let (c, r) = (self.sketch.seen(rolls.center), self.sketch.long(self.sketch.numbers.value(machine, rolls.radius)));
+        let angle = self.sketch.numbers.value(machine, along);
+        let way: V3 = self.sketch.numbers.frames[0][rolls.on.index()].shown([angle.cos(), angle.sin(), 0.0]);
+        let Some(turn) = self.sketch.stage.turn(way) else { return };
+        let normal = turn + if left { FRAC_PI_2 } else { -FRAC_PI_2 };
+        let contact = polar(c, -r, normal);
+        let flip = if sign < 0.0 { PI } else { 0.0 };
+        let part = if role(own.table) == Role::Rack { "force" } else { "tangential" };
+        let letter = self.letter(part, own.name, "F");
+        self.arrow(&own.path, (contact, turn + flip), letter);
+        if role(own.table) == Role::Rolling {
+            let letter = self.letter("normal", own.name, "N");
+            self.arrow(&own.path, (contact, normal + flip), letter);
+        }
+    }
+
+    fn support(&mut self, own: &Own, support: &Support) {
+        if !self.is_mine(support.at) {
+            return;
+        }
+        let place = self.sketch.seen(support.at);
+        let pose = self.sketch.numbers.frames[0][support.axes.index()];
+        self.taken.push(place);
+        for d in support.directions {
+            let (part, letter, v) = match d {
+                SupportDirection::X => ("force_x", "X", [1.0, 0.0, 0.0]),
+                SupportDirection::Y => ("force_y", "Y", [0.0, 1.0, 0.0]),
+                SupportDirection::Z => ("force_z", "Z", [0.0, 0.0, 1.0]),
+                _ => {
+                    let letter = self.letter("moment", own.name, "M");
+                    self.bow(&own.path, (place, 1.0), letter);
+                    continue;
+                }
+            };
+            let Some(turn) = self.sketch.stage.turn(pose.shown(v)) else { continue };
+            let letter = self.letter(part, own.name, letter);
+            self.arrow(&own.path, (place, turn), letter);
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use super::groups::{Groups, Joint, frame_of};
 use super::numbers::{ALIKE, Numbers, Pose, STILL, V3, dot, minus, norm, plus};
+use crate::connections::{self, Own, Place};
 use crate::machine::Machine;
-use mechanics::model::{ConnectionKind, FrameId, Inertia, Origin, PointId, PointRef, Site, Solid, Track};
+use mechanics::model::{FrameId, Inertia, Origin, PointId, PointRef, Site, Solid};
 use symbolic::Expr;
 
 /// A place of a group.
@@ -172,35 +173,14 @@ impl Gatherer<'_> {
     fn connections(&mut self) {
         let machine = self.machine;
         for connection in &machine.model.connections {
-            match &connection.kind {
-                ConnectionKind::Pin { between, .. } | ConnectionKind::Weld { between, .. } | ConnectionKind::Rod { between, .. } => {
-                    between.iter().for_each(|p| self.hold(*p));
+            let tie = connections::of(connection);
+            for grip in tie.grips() {
+                if let Place::Point(point) = grip.what {
+                    self.hold(point);
                 }
-                ConnectionKind::Slider { point, through, .. } => {
-                    self.hold(*point);
-                    through.iter().for_each(|p| self.hold(*p));
-                }
-                ConnectionKind::Rope { path, wound, .. } => {
-                    path.iter().for_each(|p| self.hold(*p));
-                    for drum in wound {
-                        self.wheel_of(drum.on, PointRef::Origin(drum.on), ("drum", drum.radius));
-                    }
-                }
-                ConnectionKind::Wheels { between, radii, .. } => {
-                    let symbol = crate::shown::find(connection.table).map_or("", |row| row.wheel);
-                    for (frame, radius) in between.iter().zip(radii) {
-                        self.wheel_of(*frame, PointRef::Origin(*frame), (symbol, *radius));
-                    }
-                }
-                ConnectionKind::Rolling { wheel, center, radius, track, .. } => {
-                    let symbol = crate::shown::find(connection.table).map_or("", |row| row.wheel);
-                    self.wheel_of(*wheel, *center, (symbol, *radius));
-                    if let Track::Circle { center, .. } = track {
-                        self.hold(*center);
-                    }
-                }
-                ConnectionKind::Support { at, .. } => self.hold(*at),
-                _ => {}
+            }
+            for rim in tie.rims(&Own::of(connection)) {
+                self.wheel_of(rim.frame, rim.center, (rim.symbol, rim.radius));
             }
         }
     }

@@ -8,7 +8,7 @@
 //! | what is seen of each group | `looks.rs` |
 //! | what formulas of pathways measure | `ends.rs` |
 //! | metres to pixels | `stage.rs` |
-//! | symbols | `sketch.rs` and the files beside it |
+//! | symbols | `sketch.rs` and the files beside it; what connections have on a layer, `paper.rs` |
 //! | a motion: frames along it, tracks, which studies have one | `course.rs`, `moving.rs`, `played.rs` |
 //! | which symbols each table of the file has | `vocabulary.rs` |
 
@@ -26,6 +26,7 @@ mod letters;
 mod looks;
 mod moving;
 mod numbers;
+mod paper;
 mod played;
 mod pulls;
 mod shafts;

@@ -4,8 +4,9 @@ use super::ends::Ends;
 use super::numbers::{STILL, V3};
 use super::sketch::{Act, Carrier, Sketch};
 use super::ties::SMALL;
+use crate::connections::{self, Layer, Letter, Own, Tie};
 use crate::shown::{Role, find, role};
-use mechanics::model::{ConnectionKind, FrameId, PointRef, Site, Slides};
+use mechanics::model::{FrameId, PointRef, Site};
 use report::scheme::{LabelText, P, Place, Rides, S, between, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI};
 use symbolic::Expr;
@@ -64,15 +65,14 @@ impl Sketch<'_> {
         if let Some(element) = model.elements.get(act.index).filter(|e| e.path == act.path) {
             return self.letters.of(element.law.sketch().letter, &act.path);
         }
-        match self.connection(act) {
-            Some(ConnectionKind::Friction { kinetic, fixed, .. }) => self.letters.of(fixed.unwrap_or(*kinetic), &act.path),
-            Some(ConnectionKind::Motion { value, .. }) => self.letters.of(*value, &act.path),
-            Some(ConnectionKind::Motor { .. }) => {
+        match self.connection(act).map_or(Letter::Usual, |tie| tie.letter()) {
+            Letter::Of(formula) => self.letters.of(formula, &act.path),
+            Letter::Drive => {
                 let name = act.path.rsplit('.').next().unwrap_or_default();
                 let force = !matches!(act.ends, Ends::Turn { .. });
                 LabelText::Symbol(format!("{}_{name}", if force { "F" } else { "M" }))
             }
-            _ => self.letters.load(&act.path),
+            Letter::Usual => self.letters.load(&act.path),
         }
     }
 
@@ -164,11 +164,11 @@ impl Sketch<'_> {
         self.rides = Rides::along(if role(act.table) == Role::Stop { against } else { self.group_of(on) });
         match role(act.table) {
             Role::Stop => {
-                let Some(ConnectionKind::Stop { above, clearance, .. }) = self.connection(act) else { return };
-                let turn = if *above { turn + PI } else { turn };
+                let Some(limit) = self.connection(act).and_then(|tie| tie.limit()) else { return };
+                let turn = if limit.above { turn + PI } else { turn };
                 let edge = self.grip(on, turn);
                 let value = self.numbers.pathway(&act.path).map_or(0.0, |v| v[0]);
-                let gap = self.stage.scale * (value - self.numbers.value(self.machine, *clearance)).abs();
+                let gap = self.stage.scale * (value - self.numbers.value(self.machine, limit.clearance)).abs();
                 // what moves meets its stop; a single place shows both near each other
                 let gap = if self.course.is_empty() { gap.clamp(0.35 * S, 3.0 * S) } else { gap };
                 let at = polar(edge, gap, turn);
@@ -184,8 +184,8 @@ impl Sketch<'_> {
                     let low = polar(block.center, -block.half[1], block.turn + FRAC_PI_2);
                     let letter = self.letter(act);
                     self.note(letter, polar(low, block.half[0], block.turn), 0.5 * S, Some(0.6));
-                    if let Some(ConnectionKind::Friction { kinetic, fixed: Some(_), .. }) = self.connection(act) {
-                        let kinetic = self.letters.of(*kinetic, &act.path);
+                    if let Some(kinetic) = self.connection(act).and_then(|tie| tie.second_letter()) {
+                        let kinetic = self.letters.of(kinetic, &act.path);
                         self.note(kinetic, polar(low, -block.half[0], block.turn), 0.5 * S, Some(PI - 0.6));
                     }
                     if driven != 0.0 {
@@ -203,8 +203,7 @@ impl Sketch<'_> {
                 let tip = polar(from, 2.1 * S, turn);
                 let symbol = self.symbol_of(act);
                 self.put(symbol, &act.path, Place { at: from, to: tip, ..Place::default() });
-                let still =
-                    matches!(self.connection(act), Some(ConnectionKind::Motion { value, .. }) if self.machine.model.graph.is_zero(*value));
+                let still = self.connection(act).is_some_and(|tie| tie.is_still(&self.machine.model.graph));
                 if !still {
                     let letter = self.letter(act);
                     self.note(letter, tip, 6.0, Some(turn + 0.9));
@@ -213,13 +212,10 @@ impl Sketch<'_> {
         }
     }
 
-    pub(super) fn connection(&self, act: &Act) -> Option<&ConnectionKind> {
-        self.machine
-            .model
-            .connections
-            .get(act.index)
-            .filter(|_| self.machine.model.elements.get(act.index).is_none_or(|e| e.path != act.path))
-            .map(|c| &c.kind)
+    pub(super) fn connection(&self, act: &Act) -> Option<Box<dyn Tie + '_>> {
+        let model = &self.machine.model;
+        let connection = model.connections.get(act.index).filter(|_| model.elements.get(act.index).is_none_or(|e| e.path != act.path));
+        connection.map(connections::of)
     }
 
     /// The axis about which one body turns against another.
@@ -295,14 +291,7 @@ impl Sketch<'_> {
                 Site::Energy | Site::Dissipation => self.by_formula(&element.path, sketch.letter),
             }
         }
-        for connection in &machine.model.connections {
-            let path = format!("{}.{}", connection.table, connection.name);
-            match &connection.kind {
-                ConnectionKind::Constraint { zero, .. } => self.condition(&path, *zero),
-                ConnectionKind::Friction { slides, .. } => self.rubbing(&path, slides),
-                _ => {}
-            }
-        }
+        self.layer(Layer::Loads);
     }
 
     pub(super) fn force(&mut self, path: &str, (at, axes): (PointRef, FrameId), value: [Expr; 3]) {
@@ -420,7 +409,7 @@ impl Sketch<'_> {
         groups
     }
 
-    fn condition(&mut self, path: &str, zero: Expr) {
+    pub(super) fn demanded(&mut self, path: &str, zero: Expr) {
         let groups = self.named_in(zero);
         let at = groups.first().map_or([0.0; 2], |g| self.middle(*g));
         let to = groups.get(1).map_or([at[0] + 2.4 * S, at[1] - 1.6 * S], |g| self.middle(*g));
@@ -431,16 +420,10 @@ impl Sketch<'_> {
     }
 
     /// Friction in a joint, of a rope on a drum, of a wheel on its track.
-    fn rubbing(&mut self, path: &str, slides: &Slides) {
-        let at = match slides {
-            Slides::Along(_) | Slides::Point { .. } => return,
-            Slides::Contact { of, .. } | Slides::Rolls { of } | Slides::Journal { of, .. } | Slides::Belt { of, .. } => {
-                let Some(place) = self.place_of(*of) else { return };
-                let carried = self.scheme.items.iter().find(|i| distance(i.place.at, place) < 1.0 && i.rides.path.is_empty());
-                self.rides = carried.map_or_else(Rides::default, |i| Rides::along(i.rides.at));
-                place
-            }
-        };
+    pub(super) fn rubbing(&mut self, path: &str, of: usize) {
+        let Some(at) = self.place_of(of) else { return };
+        let carried = self.scheme.items.iter().find(|i| distance(i.place.at, at) < 1.0 && i.rides.path.is_empty());
+        self.rides = carried.map_or_else(Rides::default, |i| Rides::along(i.rides.at));
         self.put("slip_mark", path, Place { at, size: 0.55 * S, ..Place::default() });
         let letter = self.letters.load(path);
         self.note(letter, at, 0.6 * S, None);
@@ -449,19 +432,12 @@ impl Sketch<'_> {
     /// Where a connection is.
     fn place_of(&self, connection: usize) -> Option<P> {
         let c = self.machine.model.connections.get(connection)?;
-        match &c.kind {
-            ConnectionKind::Pin { between, .. } | ConnectionKind::Weld { between, .. } => Some(self.seen(between[0])),
-            ConnectionKind::Support { at, .. } => Some(self.seen(*at)),
-            ConnectionKind::Rope { path, .. } => path.get(path.len() / 2).map(|p| self.seen(*p)),
-            ConnectionKind::Rolling { center, radius, .. } => {
-                let at = self.seen(*center);
-                Some([at[0], at[1] + self.long(self.numbers.value(self.machine, *radius))])
-            }
-            _ => {
-                let path = format!("{}.{}", c.table, c.name);
-                self.scheme.items.iter().find(|i| i.path == path).map(|i| i.place.at)
-            }
+        if let Some((point, below)) = connections::of(c).place() {
+            let at = self.seen(point);
+            return Some([at[0], at[1] + below.map_or(0.0, |e| self.long(self.numbers.value(self.machine, e)))]);
         }
+        let path = Own::of(c).path;
+        self.scheme.items.iter().find(|i| i.path == path).map(|i| i.place.at)
     }
 }
 

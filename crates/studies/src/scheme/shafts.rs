@@ -4,8 +4,9 @@ use super::ends::Ends;
 use super::groups::Joint;
 use super::numbers::{ALIKE, Numbers, STILL, minus, norm};
 use super::sketch::{Act, Carrier, Sketch};
+use crate::connections::pairs;
 use crate::shown::{Role, role};
-use mechanics::model::{ConnectionKind, Site};
+use mechanics::model::Site;
 use report::scheme::{LabelText, P, Place, Rides, S, between, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -85,12 +86,10 @@ fn angle(numbers: &Numbers, frame: usize, state: usize) -> f64 {
 /// Gears of the file, and bodies whose angles are multiples of one another.
 fn stages(sketch: &Sketch) -> Vec<Stage> {
     let mut out: Vec<Stage> = Vec::new();
-    for c in &sketch.machine.model.connections {
-        if let ConnectionKind::Wheels { between, radii, opposite, .. } = &c.kind {
-            let r = radii.map(|e| sketch.numbers.value(sketch.machine, e));
-            let sign = if *opposite { -1.0 } else { 1.0 };
-            out.push(Stage { discs: between.map(|f| sketch.groups.of(f)), ratio: sign * r[0] / r[1] });
-        }
+    for (_, pair) in pairs(&sketch.machine.model) {
+        let r = pair.radii.map(|e| sketch.numbers.value(sketch.machine, e));
+        let sign = if pair.opposite { -1.0 } else { 1.0 };
+        out.push(Stage { discs: pair.between.map(|f| sketch.groups.of(f)), ratio: sign * r[0] / r[1] });
     }
     let n = sketch.groups.all.len();
     let turned = |g: usize, s: usize| angle(&sketch.numbers, sketch.groups.all[g].root.index(), s);

@@ -8,9 +8,10 @@ use super::letters::Letters;
 use super::looks::{Look, looks};
 use super::numbers::{Instant, Numbers, Pose, STILL, V3, minus, norm, plus};
 use super::stage::Stage;
+use crate::connections::{self, Held, Layer, grips};
 use crate::machine::Machine;
 use crate::shown::{Role, role};
-use mechanics::model::{ConnectionKind, FrameId, Pathway, PointRef, Site, Slides};
+use mechanics::model::{FrameId, Pathway, PointRef, Site};
 use report::Scheme;
 use report::scheme::{P, Place, Rides, S, direction};
 use words::Language;
@@ -49,7 +50,7 @@ fn parts(sketch: &mut Sketch) {
     sketch.structure();
     sketch.bodies();
     sketch.tracks();
-    sketch.ties();
+    sketch.layer(Layer::Ties);
     sketch.pulls();
     sketch.holds();
     sketch.loads();
@@ -138,13 +139,7 @@ pub(super) fn pathways(machine: &Machine) -> Vec<(Act, Pathway)> {
         }
     }
     for (i, connection) in machine.model.connections.iter().enumerate() {
-        let pathway = match &connection.kind {
-            ConnectionKind::Motion { pathway, .. } | ConnectionKind::Motor { pathway } | ConnectionKind::Stop { gap: pathway, .. } => {
-                *pathway
-            }
-            ConnectionKind::Friction { slides: Slides::Along(pathway), .. } => *pathway,
-            _ => continue,
-        };
+        let Some(pathway) = connections::of(connection).pathway() else { continue };
         out.push((act(&format!("{}.{}", connection.table, connection.name), connection.table, i), pathway));
     }
     out
@@ -176,21 +171,9 @@ fn nearer(machine: &Machine, looks: &[Look], (groups, numbers): (&Groups, &Numbe
     let n = groups.all.len();
     let mut out = vec![[0.0; 3]; n];
     let model = &machine.model;
-    let jointed = |group: usize| {
-        model.connections.iter().any(|c| match &c.kind {
-            ConnectionKind::Pin { between, .. } | ConnectionKind::Weld { between, .. } | ConnectionKind::Rod { between, .. } => {
-                between.iter().any(|p| groups.of_point(model, *p) == group)
-            }
-            ConnectionKind::Slider { point, on, .. } => groups.of_point(model, *point) == group || groups.of(*on) == group,
-            _ => false,
-        })
-    };
-    let roped = |group: usize| {
-        model
-            .connections
-            .iter()
-            .any(|c| matches!(&c.kind, ConnectionKind::Rope { path, .. } if path.iter().any(|p| groups.of_point(model, *p) == group)))
-    };
+    let gripped = |group: usize, how: &[Held]| grips(model).any(|g| how.contains(&g.held) && groups.of_grip(model, &g) == group);
+    let jointed = |group: usize| gripped(group, &[Held::Hinged, Held::Fixed, Held::Linked, Held::Slides, Held::Guides]);
+    let roped = |group: usize| gripped(group, &[Held::Roped]);
     let loose = |i: usize| matches!(groups.all[i].joint, Joint::Slides(_)) && groups.all[i].carrier == 0 && !jointed(i) && roped(i);
     let leader = |mut i: usize| {
         while i != 0 && !loose(i) {
@@ -444,13 +427,13 @@ impl Sketch<'_> {
 
     /// Whether something holds a group across its way.
     pub fn is_guided(&self, group: usize) -> bool {
-        let of = |p: &PointRef| self.group_of(*p) == group;
-        self.machine.model.connections.iter().any(|c| match &c.kind {
-            ConnectionKind::Pin { between, .. } | ConnectionKind::Rod { between, .. } => between.iter().any(of),
-            ConnectionKind::Slider { point, on, .. } => of(point) || self.groups.of(*on) == group,
-            ConnectionKind::Rolling { on, .. } => self.groups.of(*on) == group,
-            _ => false,
-        }) || self.leads_a_rod(group)
+        self.is_gripped(group, &[Held::Hinged, Held::Linked, Held::Slides, Held::Guides, Held::Rolled]) || self.leads_a_rod(group)
+    }
+
+    /// Whether a connection takes hold of a group in one of these ways.
+    pub fn is_gripped(&self, group: usize, how: &[Held]) -> bool {
+        let model = &self.machine.model;
+        grips(model).any(|g| how.contains(&g.held) && self.groups.of_grip(model, &g) == group)
     }
 
     /// Whether a rod that is hinged to a group is held at its other end, too.

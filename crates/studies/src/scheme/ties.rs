@@ -2,40 +2,33 @@
 
 use super::groups::Joint;
 use super::sketch::Sketch;
-use crate::shown::{Role, role, role_at};
-use mechanics::model::{ConnectionKind, PointRef, Wound};
+use crate::connections::Pair;
+use crate::shown::{Role, role_at};
+use mechanics::model::{PointRef, Wound};
 use report::scheme::{Drum, P, Place, Rides, S, Via, between, direction, distance, polar, tangent};
 use std::f64::consts::FRAC_PI_2;
 
 impl Sketch<'_> {
-    /// All of them.
-    pub(super) fn ties(&mut self) {
-        let machine = self.machine;
-        for connection in &machine.model.connections {
-            let path = format!("{}.{}", connection.table, connection.name);
-            match &connection.kind {
-                ConnectionKind::Rope { path: points, wound, .. } => self.rope(&path, points, wound),
-                ConnectionKind::Wheels { between, radii, opposite, .. } => {
-                    let [a, b] = between.map(|f| self.origin(f));
-                    let [r, s] = radii.map(|e| self.long(self.numbers.value(machine, e)));
-                    self.rides = self.over_wheels(between.map(|f| self.groups.of(f)), r);
-                    self.transmission(&path, (a, b), (r, s), if *opposite { Sense::Opposite } else { Sense::Same });
-                    if role(connection.table) != Role::Gear {
-                        let name = self.letters.load(&path);
-                        let side = direction(a, b) + FRAC_PI_2;
-                        self.note(name, polar(report::scheme::between(a, b, 0.5), (r + s) / 2.0, side), 5.0, Some(side));
-                    }
-                }
-                ConnectionKind::Rod { between: [a, b], .. } => {
-                    let (at, to) = (self.seen(*a), self.seen(*b));
-                    self.rides = Rides::between(self.group_of(*a), self.group_of(*b));
-                    self.put("rod", &path, Place { at, to, ..Place::default() });
-                    let name = self.letters.load(&path);
-                    self.note(name, report::scheme::between(at, to, 0.5), 6.0, None);
-                }
-                _ => {}
-            }
+    /// Two wheels that turn together.
+    pub(super) fn tied_wheels(&mut self, path: &str, pair: &Pair) {
+        let [a, b] = pair.between.map(|f| self.origin(f));
+        let [r, s] = pair.radii.map(|e| self.long(self.numbers.value(self.machine, e)));
+        self.rides = self.over_wheels(pair.between.map(|f| self.groups.of(f)), r);
+        self.transmission(path, (a, b), (r, s), if pair.opposite { Sense::Opposite } else { Sense::Same });
+        if role_at(path) != Role::Gear {
+            let name = self.letters.load(path);
+            let side = direction(a, b) + FRAC_PI_2;
+            self.note(name, polar(between(a, b, 0.5), (r + s) / 2.0, side), 5.0, Some(side));
         }
+    }
+
+    /// A massless rod.
+    pub(super) fn bar(&mut self, path: &str, [a, b]: [PointRef; 2]) {
+        let (at, to) = (self.seen(a), self.seen(b));
+        self.rides = Rides::between(self.group_of(a), self.group_of(b));
+        self.put("rod", path, Place { at, to, ..Place::default() });
+        let name = self.letters.load(path);
+        self.note(name, between(at, to, 0.5), 6.0, None);
     }
 
     /// A belt over two wheels is carried by what carries these, and runs with the first.
@@ -63,7 +56,7 @@ impl Sketch<'_> {
     }
 
     /// A rope: its points, and where it leaves the drums that it winds on.
-    fn rope(&mut self, path: &str, points: &[PointRef], wound: &[Wound]) {
+    pub(super) fn thread(&mut self, path: &str, points: &[PointRef], wound: &[Wound]) {
         let named: Vec<P> = points.iter().map(|p| self.seen(*p)).collect();
         let mut way = named.clone();
         for drum in wound {

@@ -1,7 +1,8 @@
 //! Elements whose forces are no straight lines over places and rates: what small motions leave out, by name.
 
+use crate::connections::{self, Own};
 use mechanics::Model;
-use mechanics::model::{Class, ConnectionKind, ParameterValue, RequestKind};
+use mechanics::model::{Class, ParameterValue, RequestKind};
 use symbolic::{Expr, Function, Graph, Node, Substitution, SymbolId};
 use words::Text;
 
@@ -26,8 +27,7 @@ pub fn elements(model: &Model) -> Vec<String> {
             names.push(element.path.clone());
         }
     }
-    let rubs = |kind: &ConnectionKind| matches!(kind, ConnectionKind::Friction { .. } | ConnectionKind::Stop { .. });
-    names.extend(model.connections.iter().filter(|c| rubs(&c.kind)).map(|c| format!("{}.{}", c.table, c.name)));
+    names.extend(model.connections.iter().filter(|c| connections::of(c).is_bent()).map(|c| Own::of(c).path));
     names
 }
 

@@ -6,8 +6,9 @@ use super::pen::{Pen, inline, words};
 use super::quantity::fitted;
 use super::wording::Word;
 use super::work::Work;
+use crate::connections;
 use crate::shown::{Role, role};
-use mechanics::model::{ConnectionKind, Depth, Frame, Inertia};
+use mechanics::model::{Depth, Frame, Inertia};
 use report::document::{Inline, Rich};
 use report::formula::{Layout, Relation, Sign};
 use symbolic::connections::{Law, Reaction, Rebound};
@@ -350,7 +351,7 @@ fn reacting(work: &Work, pen: &mut Pen) {
 /// The law of every impact.
 fn impacts(work: &Work, pen: &mut Pen) {
     for (at, connection) in work.model.connections.iter().enumerate() {
-        let ConnectionKind::Stop { restitution, rebound, .. } = &connection.kind else { continue };
+        let Some((rebound, restitution)) = connections::of(connection).impact() else { continue };
         let name = work.connection_name(at);
         let law = match rebound {
             Rebound::Newton => work.language.pick(
@@ -362,7 +363,7 @@ fn impacts(work: &Work, pen: &mut Pen) {
                 format!("Удар ({name}): импульс второй фазы удара в k раз больше импульса первой, k = "),
             ),
         };
-        pen.tell(vec![words(law), inline(work.printer.layout(&work.model.graph, *restitution)), words(".")]);
+        pen.tell(vec![words(law), inline(work.printer.layout(&work.model.graph, restitution)), words(".")]);
     }
 }
 

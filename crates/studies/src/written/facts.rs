@@ -3,8 +3,9 @@
 use super::pen::{inline, words};
 use super::wording::Word;
 use super::work::Work;
+use crate::connections::{self, Own};
 use crate::shown::{Role, role};
-use mechanics::model::{Connection, ConnectionKind, Element, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Slides, SupportDirection};
+use mechanics::model::{Element, Frame, FrameId, Inertia, Origin};
 use report::document::Rich;
 use report::formula::{Layout, Relation};
 use report::table::Column;
@@ -149,95 +150,10 @@ impl Work<'_> {
         let heads = [Word::Connection, Word::What].map(|w| Column::new(self.language.word(w)));
         let mut table = Table::new(heads.into());
         for (at, connection) in self.model.connections.iter().enumerate() {
-            table.row(vec![Cell::words(self.connection_name(at)), Cell::words(self.demand(connection))]);
+            let demand = connections::of(connection).demand(&Own::of(connection), self);
+            table.row(vec![Cell::words(self.connection_name(at)), Cell::words(self.language.pick(demand.en, demand.ru))]);
         }
         (!table.rows.is_empty()).then_some(table)
-    }
-
-    /// What a connection demands, in words.
-    fn demand(&self, connection: &Connection) -> String {
-        let pick = |en: String, ru: String| self.language.pick(en, ru);
-        let two = |ends: &[PointRef; 2]| format!("{}, {}", self.point(ends[0]), self.point(ends[1]));
-        match &connection.kind {
-            ConnectionKind::Pin { between, .. } => pick(format!("pin: {}", two(between)), format!("шарнир: {}", two(between))),
-            ConnectionKind::Weld { between, .. } => {
-                pick(format!("rigid joint: {}", two(between)), format!("жёсткое соединение: {}", two(between)))
-            }
-            ConnectionKind::Slider { point, on, turns, .. } => {
-                let (p, line) = (self.point(*point), self.body(*on));
-                let (en, ru) = if *turns { ("", "") } else { (", without turning", ", без поворота") };
-                pick(format!("{p} stays on a straight guide: {line}{en}"), format!("{p} движется по прямой направляющей: {line}{ru}"))
-            }
-            ConnectionKind::Rod { between, .. } => {
-                pick(format!("massless rigid rod: {}", two(between)), format!("невесомый жёсткий стержень: {}", two(between)))
-            }
-            ConnectionKind::Rope { path, slack, .. } => {
-                let list: Vec<String> = path.iter().map(|p| self.point(*p)).collect();
-                let list = list.join(", ");
-                let (en, ru) = if *slack { ("; it may go slack", "; может провисать") } else { ("", "") };
-                pick(format!("inextensible rope: {list}{en}"), format!("нерастяжимая нить: {list}{ru}"))
-            }
-            ConnectionKind::Wheels { between, .. } => self.wheels(connection, between),
-            ConnectionKind::Rolling { wheel, on, .. } => {
-                let (wheel, on) = (self.body(*wheel), self.body(*on));
-                pick(format!("rolling without slip: {wheel} on {on}"), format!("качение без проскальзывания: {wheel}, опора – {on}"))
-            }
-            ConnectionKind::Constraint { on_rates, .. } => match on_rates {
-                true => pick("condition on velocities".into(), "условие на скорости".into()),
-                false => pick("condition on positions".into(), "условие на координаты".into()),
-            },
-            ConnectionKind::Support { at, directions, .. } => self.support(*at, directions),
-            ConnectionKind::Motion { .. } => pick("prescribed motion".into(), "заданное движение".into()),
-            ConnectionKind::Motor { pathway } => self.motor(pathway),
-            ConnectionKind::Stop { .. } => pick("one-sided stop".into(), "односторонний упор".into()),
-            ConnectionKind::Friction { slides, .. } => self.friction(slides),
-        }
-    }
-
-    fn wheels(&self, connection: &Connection, between: &[FrameId; 2]) -> String {
-        let opposite = matches!(connection.kind, ConnectionKind::Wheels { opposite: true, .. });
-        let (a, b) = (self.body(between[0]), self.body(between[1]));
-        let called = |row: &crate::shown::Shown| if opposite { row.opposite } else { row.called };
-        let (en, ru) = crate::shown::find(connection.table).map_or(("", ""), called);
-        self.language.pick(format!("{en}: {a}, {b}"), format!("{ru}: {a}, {b}"))
-    }
-
-    fn support(&self, at: PointRef, directions: &[SupportDirection]) -> String {
-        let held: Vec<&str> = directions
-            .iter()
-            .map(|d| match d {
-                SupportDirection::X => "x",
-                SupportDirection::Y => "y",
-                SupportDirection::Z => "z",
-                SupportDirection::TurnX => self.language.pick("turn about x", "поворот вокруг x"),
-                SupportDirection::TurnY => self.language.pick("turn about y", "поворот вокруг y"),
-                SupportDirection::TurnZ => self.language.pick("turn", "поворот"),
-            })
-            .collect();
-        let (held, point) = (held.join(", "), self.point(at));
-        self.language.pick(format!("support: {point}; held: {held}"), format!("опора: {point}; закреплено: {held}"))
-    }
-
-    fn motor(&self, pathway: &Pathway) -> String {
-        match pathway {
-            Pathway::RelativeAngle(a, b) => {
-                let (a, b) = (self.body(*a), self.body(*b));
-                self.language.pick(format!("motor: {a}, {b}"), format!("двигатель: {a}, {b}"))
-            }
-            _ => self.language.pick("motor", "двигатель").to_owned(),
-        }
-    }
-
-    fn friction(&self, slides: &Slides) -> String {
-        let (en, ru) = match slides {
-            Slides::Along(_) => ("dry friction", "сухое трение"),
-            Slides::Point { .. } => ("dry friction at a point", "сухое трение в точке"),
-            Slides::Contact { .. } => ("dry friction of a contact", "сухое трение в контакте"),
-            Slides::Rolls { .. } => ("rolling friction", "трение качения"),
-            Slides::Journal { .. } => ("friction of a journal", "трение в цапфе"),
-            Slides::Belt { .. } => ("friction of a rope on a drum", "трение каната о барабан"),
-        };
-        self.language.pick(en, ru).to_owned()
     }
 
     /// Springs, dampers and loads with their energy or virtual power.

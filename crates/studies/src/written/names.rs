@@ -1,7 +1,17 @@
 //! What bodies, points, elements and connections are called in sentences: by their label, else by what they are and a number.
 
 use super::work::Work;
+use crate::connections::Teller;
 use mechanics::model::{Connection, Element, Frame, FrameId, PointRef};
+
+impl Teller for Work<'_> {
+    fn point(&self, point: PointRef) -> String {
+        self.point(point)
+    }
+    fn body(&self, frame: FrameId) -> String {
+        self.body(frame)
+    }
+}
 
 impl Work<'_> {
     /// "spring 2", or what the file calls it.

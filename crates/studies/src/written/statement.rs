@@ -5,8 +5,8 @@ use super::quantity;
 use super::wording::Word;
 use super::work::Work;
 use crate::Finds;
-use mechanics::asked::Asked;
-use mechanics::model::{Class, ConnectionKind, ParameterValue};
+use mechanics::asked::{Asked, Words};
+use mechanics::model::{Class, ParameterValue};
 use report::Block;
 use report::document::{Inline, Rich};
 use symbolic::Node;
@@ -81,8 +81,6 @@ fn assumptions(work: &Work, pen: &mut Pen) {
         pen.scheme(scheme);
     }
     let model = work.model;
-    let kinds = || model.connections.iter().map(|c| &c.kind);
-    let has = |test: fn(&ConnectionKind) -> bool| kinds().any(test);
     let bodies = model.frames.iter().any(|f| f.is_body);
     let massless = model.frames.iter().any(|f| f.is_body && f.mass.is_none());
     let linearised = |s: &Asked| match work.finds(s.kind) {
@@ -91,17 +89,16 @@ fn assumptions(work: &Work, pen: &mut Pen) {
     };
     let small = model.studies.iter().any(linearised);
     let structure = model.structure.is_some();
-    let mut list: Vec<(bool, (&str, &str))> = vec![
+    let mut list: Vec<(bool, Words)> = vec![
         (bodies, ("the bodies are rigid", "тела абсолютно твёрдые")),
         (massless, ("bodies without a given mass are massless", "массой тел, для которых она не задана, пренебрегаем")),
-        (has(|k| matches!(k, ConnectionKind::Rope { .. })), ("ropes are inextensible and massless", "нити нерастяжимые и невесомые")),
-        (has(|k| matches!(k, ConnectionKind::Wheels { .. })), ("belts and gears do not slip", "ремни и колёса передач не проскальзывают")),
-        (has(|k| matches!(k, ConnectionKind::Rolling { .. })), ("wheels roll without slip", "качение происходит без проскальзывания")),
+    ];
+    list.extend(assumed(|table| model.connections.iter().any(|c| c.table == table)));
+    list.extend([
         (bodies, ("joints and guides without a given friction are ideal", "связи, трение в которых не задано, идеальные")),
         (bodies && model.gravity.is_none(), ("gravity is left out", "сила тяжести не учитывается")),
-    ];
-    let told = crate::shown::TABLE.iter().filter(|row| !row.assumed.0.is_empty());
-    list.extend(told.map(|row| (model.elements.iter().any(|e| e.table == row.table), row.assumed)));
+    ]);
+    list.extend(assumed(|table| model.elements.iter().any(|e| e.table == table)));
     list.extend([
         (structure, ("rods are straight and elastic, displacements are small", "стержни прямые и упругие, перемещения малы")),
         (
@@ -116,6 +113,17 @@ fn assumptions(work: &Work, pen: &mut Pen) {
     if !held.is_empty() {
         pen.say(format!("{} {}.", work.language.pick("It is assumed that", "Приняты следующие допущения:"), held.join("; ")));
     }
+}
+
+/// What rows of tables assume that the file has, each once.
+fn assumed(has: impl Fn(&str) -> bool) -> Vec<(bool, Words)> {
+    let mut told: Vec<(bool, Words)> = Vec::new();
+    for row in crate::shown::TABLE.iter().filter(|row| !row.assumed.0.is_empty() && has(row.table)) {
+        if !told.iter().any(|(_, words)| *words == row.assumed) {
+            told.push((true, row.assumed));
+        }
+    }
+    told
 }
 
 /// What is written as a formula of numbers (`pi/7*1[m/s]`) is set as one.

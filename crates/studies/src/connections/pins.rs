@@ -1,0 +1,34 @@
+//! A hinge.
+
+use super::paper::{Knife, Layer, Paper, Teller};
+use super::part::{Grip, Held, Own};
+use super::tie::Tie;
+use mechanics::model::{FrameId, PointRef};
+use symbolic::Expr;
+use words::Text;
+
+pub(super) struct Pin {
+    pub between: [PointRef; 2],
+    pub axes: FrameId,
+}
+
+impl Tie for Pin {
+    fn demand(&self, _: &Own, teller: &dyn Teller) -> Text {
+        let [a, b] = self.between.map(|p| teller.point(p));
+        Text::new(format!("pin: {a}, {b}"), format!("шарнир: {a}, {b}"))
+    }
+    fn grips(&self) -> Vec<Grip> {
+        Grip::points(Held::Hinged, &self.between)
+    }
+    fn place(&self) -> Option<(PointRef, Option<Expr>)> {
+        Some((self.between[0], None))
+    }
+    fn draw(&self, layer: Layer, own: &Own, paper: &mut dyn Paper) {
+        if layer == Layer::Joints {
+            paper.pin(own, self.between);
+        }
+    }
+    fn cut(&self, own: &Own, knife: &mut dyn Knife) {
+        knife.pin(own, self.between, self.axes);
+    }
+}
