@@ -209,6 +209,10 @@ fn the_empty_table_is_taken_back_with_any_names_and_questions_hold_all_data() {
         // the damping is the same for all and stands in no variant
         assert!(text.contains("b \\= 4") || text.contains("b = 4"), "{text}");
     }
+    let quiz = std::fs::read_to_string(here.join("out/moodle.xml")).unwrap();
+    let count = |what: &str| quiz.matches(what).count();
+    // three students, three items each, none of which takes a unit
+    assert_eq!([count("type=\"category\""), count("type=\"numerical\""), count("<showunits>3</showunits>")], [3, 9, 9], "{quiz}");
 }
 
 /// Of a key without names everyone who handed in is graded, two who took one variant too.

@@ -1,4 +1,6 @@
-//! The questions of a class for learning systems: Moodle XML (numerical questions with units) and GIFT.
+//! The questions of a class for learning systems: Moodle XML and GIFT, numerical questions whose text names the unit.
+//!
+//! *Source*: `question/format/xml/format.php`, `question/format/gift/format.php` and `question/type/numerical/` of Moodle.
 
 use super::guards::allowed;
 use super::key::{Entry, Key};
@@ -7,6 +9,9 @@ use mechanics::model::AnswerDecl;
 use report::escape::xml;
 use std::fmt::Write;
 use words::Language;
+
+/// `qtype_numerical::UNITNONE` of Moodle.
+const NO_UNIT: u8 = 3;
 
 /// What a question says: what is given to the variant, then what is asked.
 fn question(entry: &Entry, (answer, given): (&AnswerDecl, &str), language: Language) -> String {
@@ -33,11 +38,10 @@ fn items<'k>((key, given): (&'k Key, &'k [String]), model: &'k Model) -> impl It
 pub fn moodle((key, given): (&Key, &[String]), model: &Model, language: Language) -> String {
     let title = language.text(&model.title);
     let mut out = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<!-- strutt {}, model {} -->\n", key.version, key.hash());
-    let mut category = String::new();
+    let mut category = None;
     for (entry, (answer, given), right) in items((key, given), model) {
-        if category != entry.member.name {
-            category.clone_from(&entry.member.name);
-            let path = format!("$course$/top/{}/{category}", title.replace('/', "//"));
+        if category.replace(&entry.member.name) != Some(&entry.member.name) {
+            let path = format!("$course$/top/{}/{}", folder(title), folder(&entry.member.name));
             let _ = writeln!(out, "<question type=\"category\"><category><text>{}</text></category></question>", xml(&path));
         }
         let (name, text) = (format!("{}-{}", entry.member.name, answer.id), question(entry, (answer, given), language));
@@ -46,12 +50,8 @@ pub fn moodle((key, given): (&Key, &[String]), model: &Model, language: Language
             writeln!(out, "<questiontext format=\"plain_text\"><text>{}</text></questiontext>\n<defaultgrade>1</defaultgrade>", xml(&text));
         let _ =
             writeln!(out, "<answer fraction=\"100\"><text>{}</text><tolerance>{}</tolerance></answer>", right.0, allowed(answer, right));
-        if !answer.unit.label.is_empty() {
-            let unit = report::unit::print(&answer.unit.label, language);
-            let _ = writeln!(out, "<units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>", xml(&unit));
-            // the unit may be left out: the question names it
-            let _ = writeln!(out, "<unitgradingtype>0</unitgradingtype><unitpenalty>0</unitpenalty><showunits>3</showunits>");
-        }
+        // a number alone: a unit that is typed behind it is asked to be left out and is never taken for the one of the question
+        let _ = writeln!(out, "<unitgradingtype>0</unitgradingtype><unitpenalty>0</unitpenalty><showunits>{NO_UNIT}</showunits>");
         out.push_str("</question>\n");
     }
     out.push_str("</quiz>\n");
@@ -62,17 +62,21 @@ pub fn moodle((key, given): (&Key, &[String]), model: &Model, language: Language
 pub fn gift((key, given): (&Key, &[String]), model: &Model, language: Language) -> String {
     let title = language.text(&model.title);
     let mut out = format!("// strutt {}, model {}\n", key.version, key.hash());
-    let mut category = String::new();
+    let mut category = None;
     for (entry, (answer, given), right) in items((key, given), model) {
-        if category != entry.member.name {
-            category.clone_from(&entry.member.name);
-            let _ = write!(out, "\n$CATEGORY: {}/{category}\n", title.replace('/', "//").replace('\n', " "));
+        if category.replace(&entry.member.name) != Some(&entry.member.name) {
+            let _ = write!(out, "\n$CATEGORY: {}/{}\n", folder(title), folder(&entry.member.name));
         }
         let text = question(entry, (answer, given), language);
         let name = escaped(&format!("{}-{}", entry.member.name, answer.id));
-        let _ = writeln!(out, "\n::{name}::{} {{#{}:{}}}", escaped(&text), right.0, allowed(answer, right));
+        let _ = writeln!(out, "\n::{name}::[plain]{} {{#{}:{}}}", escaped(&text), right.0, allowed(answer, right));
     }
     out
+}
+
+/// A folder of questions: a stroke in a name is no border of folders, and a name is one line.
+fn folder(name: &str) -> String {
+    name.replace('/', "//").chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 fn escaped(text: &str) -> String {
@@ -95,5 +99,6 @@ mod tests {
     fn special_characters_are_escaped() {
         assert_eq!(xml("a < b & \"c\"\u{1}"), "a &lt; b &amp; &quot;c&quot; ");
         assert_eq!(escaped("r = {5:3}"), "r \\= \\{5\\:3\\}");
+        assert_eq!(folder("group 7/1\nA"), "group 7//1 A");
     }
 }

@@ -140,10 +140,11 @@ fn friction(switch: &Switch, told: impl Fn(String, String) -> Text) -> Text {
 
 fn change_of_side(switch: &Switch, name: &Text) -> Text {
     let word = |mode: Mode| match mode {
-        Mode::Negative => ("minus", "минуса", "минус"),
-        Mode::Zero => ("zero", "нуля", "нуль"),
-        Mode::Positive => ("plus", "плюса", "плюс"),
+        Mode::Negative => "minus",
+        Mode::Zero => "zero",
+        Mode::Positive => "plus",
     };
+    let in_russian = |mode: Mode| if mode == Mode::Negative { ("минуса", "минус") } else { ("плюса", "плюс") };
     // of "-y" readers want to know what y does
     let bare = name.en.strip_prefix(['-', '−']).zip(name.ru.strip_prefix(['-', '−'])).filter(|(en, _)| !en.contains(' '));
     let turned = |mode: Mode| match mode {
@@ -152,8 +153,14 @@ fn change_of_side(switch: &Switch, name: &Text) -> Text {
         other => other,
     };
     let (en, ru) = bare.unwrap_or((name.en.as_str(), name.ru.as_str()));
-    let (before, after) = (word(turned(switch.before)), word(turned(switch.after)));
-    Text::new(format!("{en} changes from {} to {}", before.0, after.0), format!("{ru} переходит с {} на {}", before.1, after.2))
+    let changes = match (switch.before == Mode::Zero, turned(switch.after)) {
+        (false, Mode::Zero) => format!("{ru} обращается в нуль"),
+        (true, Mode::Positive) => format!("{ru} становится больше нуля"),
+        (true, Mode::Negative) => format!("{ru} становится меньше нуля"),
+        (true, Mode::Zero) => format!("{ru} остаётся нулём"),
+        (false, to) => format!("{ru} меняет знак с {} на {}", in_russian(turned(switch.before)).0, in_russian(to).1),
+    };
+    Text::new(format!("{en} changes from {} to {}", word(turned(switch.before)), word(turned(switch.after))), changes)
 }
 
 /// Six digits: enough to recognise an impact; the full numbers stand beside the event.
