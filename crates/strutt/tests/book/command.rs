@@ -2,6 +2,7 @@
 
 use crate::chapter::Trial;
 use crate::claim::{Claim, When};
+use crate::drawn::drawn;
 use crate::outcome::Outcome;
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
@@ -25,7 +26,7 @@ pub struct Command {
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
     linearise: bool,
-    /// Name of a section.
+    /// Name of a section, or of a body that is drawn alone.
     name: String,
     /// Row of the table of variants.
     variant: Option<String>,
@@ -120,6 +121,7 @@ impl Command {
                 found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
             }
             "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
+            "scheme" => Ok(drawn(&machine, &self.name)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind if studies::find(kind).is_some() => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),

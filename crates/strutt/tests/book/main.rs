@@ -3,6 +3,7 @@
 mod chapter;
 mod claim;
 mod command;
+mod drawn;
 mod motion;
 mod outcome;
 mod printed;

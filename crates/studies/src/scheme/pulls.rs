@@ -4,7 +4,7 @@ use super::ends::Ends;
 use super::numbers::{STILL, V3};
 use super::sketch::{Act, Carrier, Sketch};
 use super::ties::SMALL;
-use crate::connections::{self, Layer, Letter, Own, Tie};
+use crate::connections::{self, Held, Layer, Letter, Own, Tie};
 use crate::shown::{Role, find, role};
 use mechanics::model::{FrameId, PointRef, Site};
 use report::scheme::{LabelText, P, Place, Rides, S, between, direction, distance, polar};
@@ -222,7 +222,24 @@ impl Sketch<'_> {
     pub(super) fn pivot(&self, on: FrameId, from: FrameId) -> P {
         let (a, b) = (self.groups.of(on), self.groups.of(from));
         let root = |g: usize| self.origin(self.groups.all[g].root);
-        if self.groups.all[b].carrier == a && b != 0 { root(b) } else { root(a) }
+        match () {
+            () if self.groups.all[b].carrier == a && b != 0 => root(b),
+            () if self.groups.all[a].carrier == b => root(a),
+            () => self.hinge_of(a, b).unwrap_or_else(|| root(a)),
+        }
+    }
+
+    /// The hinge of the file that joins two groups, neither of which carries the other.
+    fn hinge_of(&self, a: usize, b: usize) -> Option<P> {
+        let model = &self.machine.model;
+        model.connections.iter().find_map(|connection| {
+            let grips = connections::of(connection).grips();
+            let on = |group: usize| grips.iter().find(|g| g.held == Held::Hinged && self.groups.of_grip(model, g) == group);
+            match on(a).and(on(b))?.what {
+                connections::Place::Point(point) => Some(self.seen(point)),
+                connections::Place::Frame(_) => None,
+            }
+        })
     }
 
     /// What acts on an angle.

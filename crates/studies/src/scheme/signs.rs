@@ -3,9 +3,16 @@
 use super::groups::Joint;
 use super::numbers::{STILL, minus, norm};
 use super::sketch::Sketch;
+use crate::connections::Own;
 use mechanics::model::FrameId;
 use report::scheme::{Label, LabelText, P, Place, Rides, S, between, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use words::{Language, Text};
+
+/// Radius of a wheel that holds its letter.
+const SMALL: f64 = 0.9 * S;
+/// Radius of a wheel that is seen as one.
+const DOT: f64 = 0.4 * S;
 
 impl Sketch<'_> {
     /// Names of points and the number of a body that is drawn alone.
@@ -208,7 +215,7 @@ impl Sketch<'_> {
             }
             for (k, wheel) in look.wheels.iter().enumerate() {
                 let r = self.long(wheel.radius);
-                let Some(text) = self.letters.symbol(wheel.formula).filter(|_| r > 0.9 * S && !known.contains(&(i, wheel.formula))) else {
+                let Some(text) = self.letters.symbol(wheel.formula).filter(|_| r > DOT && !known.contains(&(i, wheel.formula))) else {
                     continue;
                 };
                 known.push((i, wheel.formula));
@@ -218,8 +225,15 @@ impl Sketch<'_> {
                 let (center, turn) = (self.stage.at(i, wheel.center), -0.9 - 0.75 * k as f64);
                 let rim = polar(center, r, turn);
                 let path = self.groups.all[i].path.clone();
-                self.put("radius", &path, Place { at: center, to: rim, ..Place::default() });
-                self.note(text, between(center, rim, 0.6), 3.0, None);
+                // a small wheel has no room for a letter: its arrow comes from outside
+                let (from, beside) = if r > SMALL {
+                    (center, between(center, rim, 0.6))
+                } else {
+                    let outside = polar(center, r + 1.3 * S, turn);
+                    (outside, outside)
+                };
+                self.put("radius", &path, Place { at: from, to: rim, ..Place::default() });
+                self.note(text, beside, 3.0, None);
             }
         }
     }
@@ -275,14 +289,20 @@ impl Sketch<'_> {
         let language = self.language;
         let mut lines = Vec::new();
         for group in self.groups.all.iter().skip(1).filter(|g| g.number > 0) {
-            let names: Vec<&str> =
-                group.frames.iter().map(|f| &self.machine.model.frames[f.index()]).filter(|f| f.is_body).map(|f| f.name.as_str()).collect();
+            let bodies = group.frames.iter().map(|f| &self.machine.model.frames[f.index()]).filter(|f| f.is_body);
+            let names: Vec<&str> = bodies.map(|f| told(&f.label, &f.name, language)).collect();
             lines.push(format!("{} – {}", group.number, names.join(", ")));
         }
         let model = &self.machine.model;
         let of_frame = |e: &&mechanics::model::Element| model.structure.is_some() && e.span.is_empty();
-        let elements = model.elements.iter().filter(|e| !of_frame(e)).map(|e| e.name.as_str());
-        let others: Vec<&str> = model.connections.iter().map(|c| c.name.as_str()).chain(elements).collect();
+        // of a body alone only what acts on it
+        let alone = self.scheme.name.starts_with("body-");
+        let drawn = |path: &str| !alone || self.scheme.items.iter().any(|item| item.path == path);
+        let elements = model.elements.iter().filter(|e| !of_frame(e) && drawn(&e.path)).map(|e| told(&e.label, &e.name, language));
+        let connections = model.connections.iter().filter(|c| drawn(&Own::of(c).path)).map(|c| told(&c.label, &c.name, language));
+        let mut others: Vec<&str> = connections.chain(elements).collect();
+        // a load in several parts is one load of the file
+        others.dedup();
         if !others.is_empty() {
             lines.push(format!("{}: {}", language.pick("connections and loads", "связи и нагрузки"), others.join(", ")));
         }
@@ -292,4 +312,10 @@ impl Sketch<'_> {
         }
         self.scheme.summary = lines;
     }
+}
+
+/// What the file calls something: its label, else its name.
+fn told<'m>(label: &'m Text, name: &'m str, language: Language) -> &'m str {
+    let label = language.text(label);
+    if label.is_empty() { name } else { label }
 }

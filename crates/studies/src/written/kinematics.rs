@@ -144,7 +144,8 @@ fn upright(layout: Layout) -> Layout {
     match layout {
         Layout::Related(left, relation, right) => match *left {
             Layout::Sum(terms) => {
-                let mut terms = cancelled(terms);
+                let (opened, kept) = (multiplied(&terms), cancelled(terms));
+                let mut terms = if opened.len() < kept.len() { opened } else { kept };
                 if terms.iter().all(|(sign, _)| *sign == Sign::Minus) {
                     terms.iter_mut().for_each(|(sign, _)| *sign = Sign::Plus);
                 }
@@ -173,10 +174,66 @@ fn cancelled(terms: Vec<(Sign, Layout)>) -> Vec<(Sign, Layout)> {
             }
         }
     }
+    begun(list)
+}
+
+/// A whole number in front, and what it multiplies.
+fn counted(term: Layout) -> (i64, Layout) {
+    let whole = |f: &Layout| match f {
+        Layout::Number { mantissa, exponent: None } => mantissa.parse::<i64>().ok(),
+        _ => None,
+    };
+    match term {
+        Layout::Product(mut factors) if factors.len() > 1 => match whole(&factors[0]) {
+            Some(n) => {
+                factors.remove(0);
+                let rest = if factors.len() == 1 { factors.remove(0) } else { Layout::Product(factors) };
+                (n, rest)
+            }
+            None => (1, Layout::Product(factors)),
+        },
+        other => (1, other),
+    }
+}
+
+/// Terms with whole numbers multiplied into the brackets behind them, and like terms as one.
+fn multiplied(terms: &[(Sign, Layout)]) -> Vec<(Sign, Layout)> {
+    let signed = |sign: Sign, n: i64| if sign == Sign::Minus { -n } else { n };
+    let mut list: Vec<(i64, Layout)> = Vec::new();
+    for (sign, term) in terms {
+        let (n, rest) = counted(term.clone());
+        let inner = match rest {
+            Layout::Fence(Bracket::Round, inner) if matches!(*inner, Layout::Sum(_)) => *inner,
+            other => other,
+        };
+        let parts = if let Layout::Sum(parts) = inner { parts } else { vec![(Sign::Plus, inner)] };
+        for (own, part) in parts {
+            let (k, part) = counted(part);
+            let k = signed(own, k).saturating_mul(signed(*sign, n));
+            match list.iter_mut().find(|(_, kept)| *kept == part) {
+                Some((sum, _)) => *sum = sum.saturating_add(k),
+                None => list.push((k, part)),
+            }
+        }
+    }
+    let shown = |(k, part): (i64, Layout)| {
+        let sign = if k < 0 { Sign::Minus } else { Sign::Plus };
+        let number = Layout::Number { mantissa: k.unsigned_abs().to_string(), exponent: None };
+        let term = match part {
+            part if k.abs() == 1 => part,
+            Layout::Product(factors) => Layout::Product(std::iter::once(number).chain(factors).collect()),
+            part => Layout::Product(vec![number, part]),
+        };
+        (sign, term)
+    };
+    begun(list.into_iter().filter(|(k, _)| *k != 0).map(shown).collect())
+}
+
+/// A sum that begins with a positive term; 0 without any.
+fn begun(mut list: Vec<(Sign, Layout)>) -> Vec<(Sign, Layout)> {
     if list.is_empty() {
         list.push((Sign::Plus, Layout::Number { mantissa: "0".into(), exponent: None }));
     }
-    // a positive term stands first
     if let Some(at) = list.iter().position(|(sign, _)| *sign == Sign::Plus) {
         list[..=at].rotate_right(1);
     }
@@ -237,6 +294,15 @@ mod tests {
         let inner = Layout::Fence(Bracket::Round, Box::new(Layout::Sum(vec![(plus, letter("l")), (minus, letter("s"))])));
         assert_eq!(shown(vec![(plus, letter("l")), (minus, inner), (minus, letter("x"))]), "s − x = 0");
         assert_eq!(shown(vec![(minus, letter("a")), (minus, letter("b"))]), "a + b = 0");
+        // 4 (a + 2 b) - 4 a - 8 b + x = 0
+        let number = |n: &str| Layout::Number { mantissa: n.into(), exponent: None };
+        let times = |n: &str, of: Layout| Layout::Product(vec![number(n), of]);
+        let sum = Layout::Sum(vec![(plus, letter("a")), (plus, times("2", letter("b")))]);
+        let bracket = times("4", Layout::Fence(Bracket::Round, Box::new(sum)));
+        let rest = [(minus, times("4", letter("a"))), (minus, times("8", letter("b"))), (plus, letter("x")), (plus, letter("y"))];
+        assert_eq!(shown(std::iter::once((plus, bracket.clone())).chain(rest).collect()), "x + y = 0");
+        // a bracket that nothing cancels stays
+        assert!(shown(vec![(plus, bracket), (minus, letter("x"))]).contains('('));
         assert_eq!(shown(vec![(minus, letter("a")), (plus, letter("b"))]), "b − a = 0");
     }
 }
