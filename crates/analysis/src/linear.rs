@@ -8,9 +8,11 @@ mod matrices;
 mod observer;
 mod reactions;
 mod seen;
+mod sought;
 
 pub use machine::{LinearMachine, Place, Values, driven};
 pub use matrices::{Harmonic, Matrices, largest, parts};
 pub use observer::Observer;
 pub use reactions::LoadParts;
 pub use seen::Seen;
+pub use sought::Sought;

@@ -10,6 +10,7 @@ use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
 use words::Text;
 
 use super::matrices::{Harmonic, Matrices, settle};
+use super::sought::Seeking;
 use crate::naming::notation;
 use crate::rest::near::{Found, Near};
 use crate::rest::search::{Statics, rest_near};
@@ -36,6 +37,8 @@ pub struct LinearMachine {
     pub(super) near: Option<Box<Near>>,
     /// Whether all conditions on rates restrain places, once that is known.
     pub(super) placed: Option<bool>,
+    /// Numbers that nobody gives.
+    pub(super) seeking: Option<Seeking>,
 }
 
 /// Forces below this share of the terms that add up to them are rounding: some dozens of roundings.
@@ -139,6 +142,7 @@ impl LinearMachine {
             shapes,
             near: None,
             placed: None,
+            seeking: None,
         })
     }
 
@@ -212,7 +216,14 @@ impl LinearMachine {
 
     /// Values with the numbers that follow from them without a formula.
     pub(crate) fn followed(&self, values: &[f64]) -> Result<Vec<f64>, Fault> {
-        let mut values = values.to_vec();
+        let values = self.of_frame(values.to_vec())?;
+        match &self.seeking {
+            Some(seeking) => seeking.followed(values, &self.values),
+            None => Ok(values),
+        }
+    }
+
+    fn of_frame(&self, mut values: Vec<f64>) -> Result<Vec<f64>, Fault> {
         let Some(mounted) = &self.equations.mounted else { return Ok(values) };
         let index = |symbol: &SymbolId| self.equations.parameters.iter().position(|p| p.symbol == *symbol);
         let reach: Vec<usize> = mounted.reach().iter().filter_map(index).collect();
@@ -465,7 +476,7 @@ impl LinearMachine {
     pub fn depends_on(&self, parameter: usize) -> bool {
         let linear = &self.linear;
         let mut known = vec![self.equations.parameters[parameter].symbol];
-        if self.equations.is_mounted_on(known[0]) {
+        if self.equations.is_mounted_on(known[0]) || self.seeking.as_ref().is_some_and(|s| s.hangs_on(parameter)) {
             return true;
         }
         let on = |known: &[SymbolId], e: Expr| linear.graph.contains(e, |s| known.contains(&s));

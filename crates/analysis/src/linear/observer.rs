@@ -31,6 +31,13 @@ pub struct Observer {
     swings: Vec<Vec<(usize, usize)>>,
 }
 
+impl Observer {
+    /// The formulas that, apart from the reactions in them, contain what time prescribes (the motion of a base).
+    pub fn prescribed(&self) -> Vec<usize> {
+        (0..self.rows.len()).filter(|k| self.rows[*k] > 0 || !self.forms[*k].is_empty()).collect()
+    }
+}
+
 impl LinearMachine {
     /// An observer of formulas of the equations near the state, under the loads of the equations or under a load alone.
     ///

@@ -544,7 +544,10 @@ impl<'m> Forced<'m> {
         };
         // nothing restores a free motion: there is no static displacement along it
         let unbounded = |z: Complex| if !magnitude(z).is_finite() { (f64::NAN, f64::NAN) } else { z };
-        let still = see(&still, 0.0).into_iter().map(unbounded).collect();
+        let mut still: Vec<Complex> = see(&still, 0.0).into_iter().map(unbounded).collect();
+        for k in self.prescribed() {
+            still[k] = (f64::NAN, f64::NAN);
+        }
         let outputs = see(&moving, omega);
         // infinite by the free oscillation is meant, by overflow it is not
         for z in outputs.iter().filter(|z| z.0.is_nan() || z.1.is_nan() || moving.poles.is_empty()) {
@@ -597,6 +600,15 @@ impl<'m> Forced<'m> {
             y
         };
         Ok(seen.iter().map(one).collect())
+    }
+
+    /// Outputs that contain a motion which time prescribes. How much of such an output the load of the equations makes, and how much the prescribed motion, hangs on
+    /// the coordinates (absolute or relative to a moving base): nothing of it is static.
+    pub fn prescribed(&self) -> Vec<usize> {
+        match self.source {
+            Source::OfEquations => self.observer.prescribed(),
+            _ => Vec::new(),
+        }
     }
 
     /// Outputs that depend on time by themselves, where a load acts alone.

@@ -3,8 +3,10 @@
 pub mod bind;
 pub mod build;
 mod built;
+mod sought;
 pub mod study;
 pub mod unknowns;
 
 pub use build::build;
 pub use built::{Machine, explained, lower, no_numbers};
+pub use sought::sought;

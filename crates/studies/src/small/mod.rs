@@ -59,11 +59,20 @@ pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small,
     if !analysis::studies::rest::report::is_free(&machine.equations) {
         return connected(machine, guess);
     }
-    let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
+    let mut linear = following(machine, machine.equations.clone())?;
     let start = machine.system.start()?;
     let starts = candidates(machine, &start, guess);
     let place = rest(&mut linear, &starts)?;
     Ok(Small { machine: linear, place, starts, contacts: None })
+}
+
+/// The equations linearised about rest; what nobody gives is found anew for other values of parameters.
+fn following(machine: &Machine, equations: symbolic::Equations) -> Result<LinearMachine, Fault> {
+    let linear = LinearMachine::new(&Arc::new(equations), About::Rest)?;
+    Ok(match crate::machine::sought(machine) {
+        Some(how) => linear.seeking(how),
+        None => linear,
+    })
 }
 
 /// The same with connections: at the places of rest that the study `equilibrium` finds, ropes and stops that are closed there as lasting connections.
@@ -85,7 +94,7 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     let mut first = None;
     for place in found {
         let closed = with_closed(&machine.equations, &place.closed);
-        let mut linear = LinearMachine::new(&Arc::new(closed), About::Rest)?;
+        let mut linear = following(machine, closed)?;
         let of = |symbol: &SymbolId| {
             let r = equations.reactions.iter().position(|r| r.symbol == *symbol);
             r.and_then(|r| place.reactions[r]).unwrap_or(0.0)

@@ -80,6 +80,18 @@ pub(super) fn by_itself(name: &str) -> Text {
     )
 }
 
+/// An output with a part that time prescribes, under the loads of the equations.
+pub(super) fn prescribed(name: &str) -> Text {
+    Text::new(
+        format!(
+            "`{name}` contains a function of time itself, the motion of a base say: what of it is static would depend on the choice of coordinates, so it has no dynamic coefficient; its amplitude over that of the base is the transmissibility"
+        ),
+        format!(
+            "величина `{name}` содержит саму функцию времени, например движение основания: её статическая часть зависела бы от выбора координат, поэтому коэффициента динамичности нет; отношение её амплитуды к амплитуде основания – коэффициент передачи"
+        ),
+    )
+}
+
 /// An output with a part at a rate that no load has.
 pub(super) fn foreign(name: &str, rate: f64) -> Text {
     let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::number::short(rate, 6, language));

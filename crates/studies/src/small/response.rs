@@ -8,7 +8,7 @@ use crate::results::{Alone, Body, Next, Results};
 use crate::small::asked::Response as Study;
 use crate::small::load::{self, Meant};
 use crate::small::remarks::{
-    axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, reference, unstable,
+    axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, prescribed, reference, unstable,
 };
 use crate::small::strands::{self, Slack, Watched};
 use crate::small::{Small, about_rest, timing_notes};
@@ -243,6 +243,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     data.notes.extend(doubtful(points.iter().map(|p| p.doubt).fold(0.0, f64::max)));
     data.notes.extend(left_out(&forced.left_out));
     data.notes.extend(forced.timed().iter().map(|k| by_itself(&quantities[*k].name)));
+    data.notes.extend(forced.prescribed().iter().map(|k| prescribed(&quantities[*k].name)));
     data.notes.extend(limit);
     data.audits.extend(beyond(machine, out.main * omegas.iter().chain(&own).copied().fold(0.0, f64::max)));
     data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
@@ -689,8 +690,8 @@ fn state(data: &mut Dataset, output: &str) {
     );
     let phase = Text::new("no phase where the amplitude is zero or infinite", "фазы нет: амплитуда равна нулю или бесконечна");
     let still = Text::new(
-        "no dynamic coefficient: statically the load moves this nothing at all, or without bound",
-        "динамического коэффициента нет: статически нагрузка эту величину не меняет или меняет неограниченно",
+        "no dynamic coefficient: statically the load moves this nothing at all, or without bound, or it contains a prescribed motion itself",
+        "коэффициента динамичности нет: статически нагрузка эту величину не меняет или меняет неограниченно, либо в неё входит само заданное движение",
     );
     let sum = Text::new(
         "no largest value over a period: no common period, or an infinite amplitude",

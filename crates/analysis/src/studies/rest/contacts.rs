@@ -95,7 +95,7 @@ impl Contacts {
         }
         let mut next = match self.others.iter().position(|(set, _)| set == closed) {
             Some(k) => self.others.swap_remove(k).1,
-            None => LinearMachine::new(&Arc::new(with_closed(&self.equations, closed)), About::Rest)?,
+            None => LinearMachine::new(&Arc::new(with_closed(&self.equations, closed)), About::Rest)?.seeking_as(machine),
         };
         next.renumber(machine.numbers())?;
         let last = std::mem::replace(machine, next);

@@ -4,6 +4,7 @@
 //! f ([`form`]); its motion is known ([`motion`]), and the state at a switch joins the phases. Beside it stands the numeric twin: the same
 //! motion by [`super::simulate`], and the difference of both as a check.
 
+mod cancelling;
 pub mod constants;
 mod course;
 pub mod form;
@@ -115,6 +116,7 @@ fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64
     dataset.notes.extend(simulate::untraced(&marked.lost));
     dataset.notes.extend(marked.ended.map(|(_, told)| told));
     dataset.notes.extend(blurred);
+    dataset.notes.extend(cancelling::check(&phases, times.iter().copied().fold(0.0, f64::max)));
     dataset.notes.extend(pulling);
     if let Some(q) = &rest {
         dataset.notes.push(linearised(system, q));
