@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use program::{Evaluator, Point, Tape, lower};
-use symbolic::Expr;
+use symbolic::{Derivation, Expr, SymbolId};
 
 use super::machine::{LinearMachine, Place, Values};
 use super::reactions::{LoadParts, Reactions};
@@ -27,6 +27,8 @@ pub struct Observer {
     known: usize,
     /// Under a load alone: the formulas that depend on time by themselves. What they do so (the motion of a base) is no effect of the load, and is left out.
     pub timed: Option<Vec<usize>>,
+    /// Formulas that are not linear in the reactions within them: their lines hold for small motions only.
+    pub by_reactions: Vec<usize>,
     /// What oscillates in the slopes of each formula: level, coordinate.
     swings: Vec<Vec<(usize, usize)>>,
 }
@@ -73,7 +75,32 @@ impl LinearMachine {
         self.learn()?;
         let inputs = if reactions.is_some() { self.with_reactions() } else { self.inputs.clone() };
         let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &inputs, &roots)?);
-        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len(), timed, swings })
+        Ok(Observer {
+            n: self.names.len(),
+            tape,
+            rows,
+            forms,
+            frozen,
+            reactions,
+            known: self.shapes.len(),
+            timed,
+            by_reactions: self.bent_by_reactions(formulas),
+            swings,
+        })
+    }
+
+    fn bent_by_reactions(&mut self, formulas: &[Expr]) -> Vec<usize> {
+        let reactions: Vec<SymbolId> = self.equations.reactions.iter().map(|r| r.symbol).collect();
+        let graph = &mut self.linear.graph;
+        let mut bends = |formula: Expr| {
+            let own: Vec<SymbolId> = graph.symbols_in(&[formula]).into_iter().filter(|s| reactions.contains(s)).collect();
+            own.iter().any(|symbol| {
+                let one = graph.one();
+                let slope = Derivation::new([(*symbol, one)]).apply(graph, formula);
+                graph.contains(slope, |s| own.contains(&s))
+            })
+        };
+        (0..formulas.len()).filter(|k| bends(formulas[*k])).collect()
     }
 
     /// Formulas of the equations without what time alone does to them, as functions of the whole state; zero for those over reactions.

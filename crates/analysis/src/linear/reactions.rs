@@ -50,6 +50,8 @@ pub(super) struct Reactions {
     /// Number of rows.
     rows: usize,
     tape: Arc<Tape>,
+    /// The same without the slopes of formulas by reactions, which need their values.
+    balances: Arc<Tape>,
     /// Waveforms known to the tape.
     forms: usize,
     /// (row, unknown) of the entries of A.
@@ -166,14 +168,18 @@ impl LinearMachine {
             roots.extend(excited.forms.iter().map(|(_, factor)| (format!("factor {row}"), *factor)));
             waves.push((excited.waves.len(), excited.forms.iter().map(|f| f.0).collect()));
         }
+        let alone = roots.len();
         let slopes = self.slopes_by_reactions(formulas, &mut roots);
         self.learn()?;
         let inputs = self.with_reactions();
+        // formulas such as a magnitude have no slope before the reactions are known
+        let balances = Arc::new(lower::expressions(&self.linear.graph, "balances", &inputs, &roots[..alone])?);
         let tape = Arc::new(lower::expressions(&self.linear.graph, "reactions", &inputs, &roots)?);
         Ok(Some(Reactions {
             unknowns,
             rows,
             tape,
+            balances,
             forms: self.shapes.len(),
             entries,
             pulses,
@@ -260,7 +266,7 @@ impl LinearMachine {
     /// Values of all reactions at a place of rest; zero for those that do not act there.
     pub(super) fn reactions_at(&self, prepared: &Reactions, place: &Place) -> Result<Vec<f64>, Fault> {
         let nothing = vec![0.0; self.equations.reactions.len()];
-        let Evaluated { matrix, rows, .. } = self.evaluate_rows(prepared, place, &nothing)?;
+        let Evaluated { matrix, rows, .. } = self.evaluate_rows(prepared, (&prepared.balances, &[]), place, &nothing)?;
         let solved = Solved::new(prepared, &matrix, &rows);
         let mut values = nothing;
         prepared.unknowns.iter().zip(&solved.values).for_each(|(r, v)| values[*r] = *v);
@@ -269,7 +275,7 @@ impl LinearMachine {
 
     /// Adds to outputs what they have by the reactions in them.
     pub(super) fn add_reactions(&self, prepared: &Reactions, place: &Place, values: &[f64], seen: &mut [Seen]) -> Result<(), Fault> {
-        let Evaluated { matrix, rows, slopes, pulses } = self.evaluate_rows(prepared, place, values)?;
+        let Evaluated { matrix, rows, slopes, pulses } = self.evaluate_rows(prepared, (&prepared.tape, &prepared.slopes), place, values)?;
         let solved = Solved::new(prepared, &matrix, &rows);
         for (output, y) in seen.iter_mut().enumerate() {
             let mut share = vec![0.0; prepared.unknowns.len()];
@@ -304,8 +310,14 @@ impl LinearMachine {
         Ok(())
     }
 
-    fn evaluate_rows(&self, prepared: &Reactions, place: &Place, values: &[f64]) -> Result<Evaluated, Fault> {
-        let mut evaluator = Evaluator::new(&prepared.tape, &self.values)?;
+    fn evaluate_rows(
+        &self,
+        prepared: &Reactions,
+        (tape, slopes): (&Arc<Tape>, &[(usize, usize, usize)]),
+        place: &Place,
+        values: &[f64],
+    ) -> Result<Evaluated, Fault> {
+        let mut evaluator = Evaluator::new(tape, &self.values)?;
         let states = self.states_with(place, prepared.forms, values);
         let found = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec();
         let bounds = evaluator.root_roundings();
@@ -336,7 +348,7 @@ impl LinearMachine {
             let forms = forms.iter().map(|form| (*form, take(1).0[0])).collect();
             rows.push(Row { mean, by: slopes.map(|s| s.0.to_vec()), roundings: slopes.map(|s| s.1.to_vec()), load, waves, forms, swings });
         }
-        let slopes = prepared.slopes.iter().map(|(.., pulses)| (take(1).0[0], sum_of_sizes(take(*pulses).0))).collect();
+        let slopes = slopes.iter().map(|(.., pulses)| (take(1).0[0], sum_of_sizes(take(*pulses).0))).collect();
         Ok(Evaluated { matrix, rows, slopes, pulses: entry_pulses })
     }
 }

@@ -602,6 +602,11 @@ impl<'m> Forced<'m> {
         Ok(seen.iter().map(one).collect())
     }
 
+    /// Outputs that are not linear in reactions.
+    pub fn bent_by_reactions(&self) -> &[usize] {
+        &self.observer.by_reactions
+    }
+
     /// Outputs that contain a motion which time prescribes. How much of such an output the load of the equations makes, and how much the prescribed motion, hangs on
     /// the coordinates (absolute or relative to a moving base): nothing of it is static.
     pub fn prescribed(&self) -> Vec<usize> {

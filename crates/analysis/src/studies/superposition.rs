@@ -425,6 +425,11 @@ impl<'f, 'm> Run<'f, 'm> {
         let high = self.extreme(&values, 1.0);
         let low = self.extreme(&values, -1.0);
         let largest = farther(high, (-low.0, low.1));
+        if self.forced.observer.by_reactions.contains(&output) {
+            // a square, an absolute value or a quotient of reactions has no line within real amplitudes, and no formula of places gives it
+            let none = (f64::NAN, f64::NAN);
+            return Ok(Range { mean: f64::NAN, max: none, min: none, largest: none });
+        }
         Ok(Range { mean, max: (mean + high.0, high.1), min: (mean + low.0, low.1), largest })
     }
 

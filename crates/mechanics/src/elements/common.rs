@@ -97,8 +97,9 @@ fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway,
 /// Warns of a stiffness or damping that is zero or negative.
 pub(super) fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Checked, kind: (&str, &str)) {
     let Some(v) = reader.number_for(value, Reliance::Sign).filter(|v| *v <= 0.0) else { return };
-    // an element that the command line, a variant or a sweep switches off is meant
-    if !fields.has(key) || v == 0.0 && reader.is_set_by_hand(value) {
+    // an element that the command line, a variant or a sweep switches off is meant; and one with another datum acts by that
+    let acts = ["stiffness", "damping"].iter().any(|other| *other != key && fields.has(other));
+    if !fields.has(key) || v == 0.0 && (acts || reader.is_set_by_hand(value)) {
         return;
     }
     let fault = if v == 0.0 {

@@ -80,6 +80,18 @@ pub(super) fn by_itself(name: &str) -> Text {
     )
 }
 
+/// An output that is not linear in reactions.
+pub(super) fn of_reactions(name: &str) -> Text {
+    Text::new(
+        format!(
+            "`{name}` is not linear in reactions: its amplitude is that of its line at rest and holds for small motions only, and its mean, greatest and least value over a period are left out; `simulate` and `periodic` have them"
+        ),
+        format!(
+            "величина `{name}` нелинейно зависит от реакций: её амплитуда относится к линейному приближению около положения равновесия и верна лишь при малых движениях, а среднее, наибольшее и наименьшее за период значения не даны; их дают `simulate` и `periodic`"
+        ),
+    )
+}
+
 /// An output with a part that time prescribes, under the loads of the equations.
 pub(super) fn prescribed(name: &str) -> Text {
     Text::new(

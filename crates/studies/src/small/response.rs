@@ -8,7 +8,8 @@ use crate::results::{Alone, Body, Next, Results};
 use crate::small::asked::Response as Study;
 use crate::small::load::{self, Meant};
 use crate::small::remarks::{
-    axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, prescribed, reference, unstable,
+    axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, of_reactions, prescribed, reference,
+    unstable,
 };
 use crate::small::strands::{self, Slack, Watched};
 use crate::small::{Small, about_rest, timing_notes};
@@ -243,6 +244,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     data.notes.extend(doubtful(points.iter().map(|p| p.doubt).fold(0.0, f64::max)));
     data.notes.extend(left_out(&forced.left_out));
     data.notes.extend(forced.timed().iter().map(|k| by_itself(&quantities[*k].name)));
+    data.notes.extend(forced.bent_by_reactions().iter().map(|k| of_reactions(&quantities[*k].name)));
     data.notes.extend(forced.prescribed().iter().map(|k| prescribed(&quantities[*k].name)));
     data.notes.extend(limit);
     data.audits.extend(beyond(machine, out.main * omegas.iter().chain(&own).copied().fold(0.0, f64::max)));
@@ -264,7 +266,11 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
 
 /// What is to be said of the machine before any frequency.
 fn remarks(machine: &Machine, small: &Small) -> Vec<Text> {
-    let mut notes = timing_notes(small.machine.timing());
+    let mut timing = small.machine.timing();
+    // what oscillates with a factor that vanishes at rest does not; where it acts away from there, its size is told point by point
+    let pulsates = || small.machine.pulsation(&small.place).map_or(true, |list| list.iter().flatten().any(|v| *v != 0.0));
+    timing.varying = timing.varying && pulsates();
+    let mut notes = timing_notes(timing);
     match super::bent::remark(&machine.model) {
         Some(remark) => notes.push(remark),
         None if small.machine.timing().bent => notes.push(bent_by_rates()),
@@ -694,8 +700,8 @@ fn state(data: &mut Dataset, output: &str) {
         "коэффициента динамичности нет: статически нагрузка эту величину не меняет или меняет неограниченно, либо в неё входит само заданное движение",
     );
     let sum = Text::new(
-        "no largest value over a period: no common period, or an infinite amplitude",
-        "наибольшего за период значения нет: нет общего периода или амплитуда бесконечна",
+        "no largest value over a period: no common period, an infinite amplitude, or an output that is not linear in reactions",
+        "наибольшего за период значения нет: нет общего периода, амплитуда бесконечна или величина нелинейно зависит от реакций",
     );
     let names: Vec<String> = data.columns.iter().map(|c| c.quantity.name.clone()).collect();
     for name in names {

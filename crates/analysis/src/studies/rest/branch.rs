@@ -17,7 +17,7 @@ mod joins;
 mod touches;
 
 use super::contacts::{Contacts, Margin};
-use super::fall::fall;
+use super::fall::{Way as Fall, way};
 use crate::Fault;
 use crate::linear::{LinearMachine, Place, parts};
 use crate::rest::sizes::Sizes;
@@ -133,6 +133,8 @@ pub struct Branch {
     /// Contacts that are closed at home, and where the walk is now.
     own: Vec<usize>,
     closed: Vec<usize>,
+    /// Whether the machine runs into a pole behind the last station, downwards and upwards: no place is sought beyond.
+    singular: [bool; 2],
     sizes: Sizes,
 }
 
@@ -189,6 +191,7 @@ impl Branch {
             beyond: Beyond::Followed,
             own: Vec::new(),
             closed: Vec::new(),
+            singular: [false; 2],
             sizes: Sizes::new(machine.coordinates().iter().map(|q| q.unit.as_str())),
         }
     }
@@ -449,7 +452,8 @@ impl Branch {
 
     /// Whether the way ended where other contacts close or open.
     fn has_ended(&self, side: usize) -> bool {
-        self.beyond == Beyond::Ends && self.changes.iter().any(|c| c.upwards == (side == 1) && c.event == Event::Touches)
+        self.singular[side]
+            || self.beyond == Beyond::Ends && self.changes.iter().any(|c| c.upwards == (side == 1) && c.event == Event::Touches)
     }
 
     /// On to a value.
@@ -529,8 +533,13 @@ impl Branch {
         value: f64,
         (here, other): (Option<&[f64]>, Option<Spot>),
     ) -> Result<(Option<Spot>, Event), Fault> {
-        if let Some(spot) = here.map(|here| self.fallen(machine, value, here)).transpose()?.flatten() {
-            return Ok((Some(spot), Event::Falls));
+        match here.map(|here| self.fallen(machine, value, here)).transpose()? {
+            Some(Fallen::To(spot)) => return Ok((Some(*spot), Event::Falls)),
+            Some(Fallen::Singular) => {
+                self.singular[usize::from(value > self.home)] = true;
+                return Ok((None, Event::Ends));
+            }
+            Some(Fallen::Nowhere) | None => {}
         }
         let (mut first, own) = (None, self.closed.clone());
         let sets = self.contacts.as_ref().map_or(vec![own.clone()], Contacts::all);
@@ -548,15 +557,29 @@ impl Branch {
     }
 
     /// The stable place to which the machine falls from `here`, where it is pushed off a little behind the value.
-    fn fallen(&mut self, machine: &mut LinearMachine, value: f64, here: &[f64]) -> Result<Option<Spot>, Fault> {
+    fn fallen(&mut self, machine: &mut LinearMachine, value: f64, here: &[f64]) -> Result<Fallen, Fault> {
         self.hold(machine)?;
         let behind = value + BEHIND * (value - self.home);
         machine.set(self.parameter, behind)?;
-        let Some(guess) = fall(machine, here) else { return Ok(None) };
-        let Some(far) = self.spot(machine, behind, &guess)? else { return Ok(None) };
+        let guess = match way(machine, here) {
+            Fall::Rests(guess) => guess,
+            Fall::Nowhere => return Ok(Fallen::Nowhere),
+            Fall::Singular => return Ok(Fallen::Singular),
+        };
+        let Some(far) = self.spot(machine, behind, &guess)? else { return Ok(Fallen::Nowhere) };
         let spot = self.spot(machine, value, &far.place.q)?;
-        Ok(spot.filter(|s| s.unstable == 0 && s.violated.is_empty()))
+        Ok(spot.filter(|s| s.unstable == 0 && s.violated.is_empty()).map_or(Fallen::Nowhere, |spot| Fallen::To(Box::new(spot))))
     }
+}
+
+/// Where the machine falls to behind the end of a place of rest.
+enum Fallen {
+    /// A stable place.
+    To(Box<Spot>),
+    /// None that is known.
+    Nowhere,
+    /// A pole of its forces: it does not come to rest, and places behind the pole cannot be reached.
+    Singular,
 }
 
 /// Distance of places that are one, relative to the sizes of the coordinates.
