@@ -61,7 +61,8 @@ impl LinearMachine {
     /// Whether the balance at the start may change with a parameter. Connections, contacts and friction at rest have more in them than small motions: each
     /// parameter counts.
     fn moves_rest(&self, parameter: usize) -> bool {
-        !crate::studies::rest::report::is_free(&self.equations) || self.depends_on(parameter) || self.moves_start(parameter)
+        let is_free = self.equations.reactions.is_empty() && self.equations.conditions.is_empty();
+        !is_free || self.depends_on(parameter) || self.moves_start(parameter)
     }
 
     fn moves_start(&self, parameter: usize) -> bool {
