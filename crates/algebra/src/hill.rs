@@ -159,6 +159,44 @@ impl Hill {
 
     /// The monodromy matrix. Its error is some 1e-14 of its largest entry, with harmonics that are known to it.
     pub fn monodromy(&self) -> Monodromy {
+        let mut state = [[1.0, 0.0], [0.0, 1.0]];
+        self.walk(|_, psi, h| state = state.map(|y| step(psi, y, h)));
+        let [[y1, r1], [y2, r2]] = state;
+        Monodromy { entries: [y1, y2, r1, r2] }
+    }
+
+    /// Which tongue of instability the equation lies in: n, where the solution that grows has n zeros in a period; none where no solution grows.
+    ///
+    /// For y'' + (a + b p(t)) y = 0 it is the n-th tongue by a whatever b is, n = 0 below the first boundary; where b is small it opens at √a T = nπ. A step is shorter than a half wave, so
+    /// that it holds one zero at most (Sturm). *Source*: W. Magnus, S. Winkler, Hill's Equation, 1966, theorem 2.1; E. A. Coddington, N. Levinson, 1955, ch. 8.
+    pub fn tongue(&self) -> Option<usize> {
+        let whole = self.monodromy();
+        let half = 0.5 * whole.trace();
+        if !half.is_finite() || half.abs() <= 1.0 {
+            return None;
+        }
+        let multiplier = half + half.signum() * (half * half - 1.0).sqrt();
+        let [a, b, c, d] = whole.entries;
+        // of two forms of the eigenvector the longer one: a column of M - 1/μ, which has rank one
+        let (first, second) = ([b, multiplier - a], [multiplier - d, c]);
+        let length = |[y, rate]: [f64; 2]| elementary::hypot(y, rate);
+        let mut state = if length(first) >= length(second) { first } else { second };
+        let positive = state[0] >= 0.0;
+        let (mut before, mut zeros) = (positive, 0);
+        let mut count = |now: bool| {
+            zeros += usize::from(now != before);
+            before = now;
+        };
+        self.walk(|last, psi, h| {
+            state = step(psi, state, h);
+            // after a period the solution is itself times its multiplier, whatever rounding says of a zero there
+            count(if last { positive == (multiplier > 0.0) } else { state[0] >= 0.0 });
+        });
+        Some(zeros)
+    }
+
+    /// Over the steps of a period: whether it is the last one, ψ_j h^(j+2), and h.
+    fn walk(&self, mut go: impl FnMut(bool, &[f64; ORDER], f64)) {
         let omega = TAU / self.period;
         let amplitude = |[c, s]: &[f64; 2]| c.abs() + s.abs();
         let size: f64 = self.mean.abs() + self.waves.iter().map(amplitude).sum::<f64>();
@@ -169,14 +207,11 @@ impl Hill {
         let fastest = self.waves.iter().enumerate().map(rate).fold(size.sqrt(), f64::max);
         let steps = (self.period * fastest / REACH).ceil().max(1.0);
         let h = self.period / steps;
-        let mut state = [[1.0, 0.0], [0.0, 1.0]];
         let mut psi = [0.0; ORDER];
         for i in 0..steps as usize {
             self.expand(self.period * i as f64 / steps, h, &mut psi);
-            state = state.map(|y| step(&psi, y, h));
+            go(i + 1 == steps as usize, &psi, h);
         }
-        let [[y1, r1], [y2, r2]] = state;
-        Monodromy { entries: [y1, y2, r1, r2] }
     }
 
     /// ψ_j h^(j+2) about t.
@@ -252,6 +287,35 @@ mod tests {
             let largest = whole.entries.iter().fold(1.0_f64, |l, v| l.max(v.abs()));
             assert!((whole.trace() - 2.0).abs() < EXACT * largest, "{eps}: {}", whole.trace());
             assert!((whole.determinant() - 1.0).abs() < EXACT * largest, "{eps}");
+        }
+    }
+
+    /// y'' + (a - 2q cos 2t) y = 0: the tongues lie between a_n and b_n of DLMF 28 (q = 1: a₀ = -0.455, b₁ = -0.110, a₁ = 1.859, b₂ = 3.917, a₂ = 4.371; q = 5: b₂ = 2.099,
+    /// a₂ = 7.449, b₃ = 9.236, a₃ = 11.549), and over two periods a tongue is numbered by twice as many zeros.
+    #[test]
+    fn tongues_are_numbered_by_zeros() {
+        let mathieu = |a: f64, q: f64, times: usize| {
+            let mut waves = vec![[0.0; 2]; times];
+            waves[times - 1] = [-2.0 * q, 0.0];
+            Hill { period: std::f64::consts::PI * times as f64, mean: a, waves }.tongue()
+        };
+        for (a, q, n) in [
+            (-0.6, 1.0, Some(0)),
+            (-0.3, 1.0, None),
+            (1.0, 1.0, Some(1)),
+            (3.0, 1.0, None),
+            (4.1, 1.0, Some(2)),
+            (5.0, 5.0, Some(2)),
+            (10.0, 5.0, Some(3)),
+        ] {
+            assert_eq!(mathieu(a, q, 1), n, "{a} {q}");
+            assert_eq!(mathieu(a, q, 2), n.map(|n| 2 * n), "{a} {q} over two periods");
+        }
+        // where the period begins does not matter
+        for turn in [0.3, 1.1, 2.0, 2.9] {
+            let (sin, cos) = elementary::sin_cos(turn);
+            let hill = Hill { period: std::f64::consts::PI, mean: 5.0, waves: vec![[-10.0 * cos, -10.0 * sin]] };
+            assert_eq!(hill.tongue(), Some(2), "{turn}");
         }
     }
 

@@ -5,7 +5,7 @@
 //!
 //! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
 //! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`certify`] (eigenproblems) -
-//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients) - [`bernstein`], [`gauss`], [`simplex`], [`random`].
+//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`] (what is dear, over two parameters) - [`bernstein`], [`gauss`], [`simplex`], [`random`].
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
@@ -36,6 +36,7 @@ pub mod simplex;
 pub mod space;
 pub mod sparse;
 pub mod sum;
+pub mod surface;
 pub mod trouble;
 pub mod vectors;
 

@@ -12,6 +12,7 @@ use crate::studies::periodic::{self, Periodic, periodic};
 use crate::studies::poincare::{Poincare, poincare};
 use crate::studies::pushed::over_cycle;
 use crate::studies::simulate::{Outcome, Simulate, confirm, simulate};
+use crate::studies::stability::{Lyapunov, Options, Scalar, lyapunov, standing};
 use crate::studies::transient::{self, Transient, transient};
 use crate::{Fault, Machine};
 use symbolic::Equations;
@@ -31,6 +32,10 @@ pub static TRANSIENT: fn(&mut Machine, &Equations, &[f64], Transient<'_>) -> tra
 pub static PERIODIC: fn(&mut Machine, &[f64], &Periodic<'_>) -> periodic::Outcome = periodic::<Machine>;
 /// Section points.
 pub static POINCARE: fn(&mut Machine, &[f64], Poincare<'_>) -> Outcome = poincare::<Machine>;
+/// What becomes of disturbances in the long run, and how many directions they have.
+pub static LYAPUNOV: fn(&mut Machine, &[f64], &Options<'_>) -> Result<(Lyapunov, usize), Fault> = lyapunov::<Machine>;
+/// Hill's equation about a place of rest.
+pub static STANDING: fn(&mut Machine, &[f64], f64) -> Result<Option<Scalar>, Fault> = standing::<Machine>;
 /// Places of rest.
 pub static EQUILIBRIUM: fn(&mut Machine, &[f64], &Equilibrium) -> Outcome = equilibrium::<Machine>;
 /// States that a motion passes.

@@ -34,14 +34,18 @@ examples![
     "duffing",
     "five-bar",
     "four-bar",
+    "froude-pendulum",
     "gyroscopic-rotor",
+    "impact-oscillator",
     "kapitza",
+    "limited-motor",
     "manipulator",
     "mathieu",
     "n-pendulum",
     "oscillator",
     "oscillator-linkage",
     "oscillator-published",
+    "parametric-pendulum",
     "pendulum-on-shaft",
     "portal-frame",
     "portal-frame-massive",
@@ -65,6 +69,7 @@ examples![
     "top",
     "truss",
     "truss-bridge",
+    "van-der-pol",
 ];
 
 /// Tables that examples read: example, file beside the model, text.

@@ -2,10 +2,11 @@
 //!
 //! About a motion or a place of rest it takes the multipliers of the study `periodic`; a machine with one degree of freedom has Hill's equation besides, which
 //! is solved a second way. With `angle` the machine is reduced to that coordinate, which runs uniformly: ψ(φ) = K(φ)/J(φ), φ = ωt. Along a parameter the
-//! boundaries of stability are located.
+//! boundaries of stability are located. Of motions that never come back Lyapunov's exponents are asked.
 
 mod asked;
 mod boundaries;
+mod lyapunov;
 mod point;
 mod reduction;
 mod show;
@@ -76,6 +77,17 @@ pub static KIND: Kind = Kind::new(
         .option("Its last value", "Его последнее значение")
         .needs("from"),
     Key::new(
+        "lyapunov",
+        Takes::Duration,
+        (
+            "Lyapunov's exponents of the motion from the start of the file, over this time after `settle`",
+            "показатели Ляпунова движения из начального состояния файла за это время после `settle`",
+        ),
+        "\"2000 s\"",
+    )
+    .option("Lyapunov's exponents over this time: 2000s", "Показатели Ляпунова за это время: 2000с")
+    .way(Way::Begins),
+    Key::new(
         "points",
         Takes::Count("M071", 2),
         ("number of its values, or of places of the turn with `angle`", "число его значений, а при `angle` — положений за оборот"),
@@ -110,6 +122,19 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 .why("it is the rate at which that coordinate runs", "это скорость, с которой растёт эта координата"),
         );
     }
+    if let Some(other) = ["angle", "section", "period", "parameter"].into_iter().find(|key| asked.has("lyapunov") && asked.has(key)) {
+        found.push(
+            Objection::at(other, "M071", format!("both `lyapunov` and `{other}` are given"), format!("заданы и `lyapunov`, и `{other}`"))
+                .why(
+                    "Lyapunov's exponents are those of the motion from the start, whether it comes back or not",
+                    "показатели Ляпунова относятся к движению из начального состояния, возвращается оно или нет",
+                )
+                .help(
+                    "keep one; over a parameter `strutt sweep` repeats the study",
+                    "оставьте одно; вдоль параметра расчёт повторяет `strutt sweep`",
+                ),
+        );
+    }
     if asked.has("angle") && asked.has("section") {
         found.push(
             Objection::at("angle", "M071", "both `section` and `angle` are given", "заданы и `section`, и `angle`")
@@ -132,12 +157,13 @@ impl Study for Disturbances {
         ("find whether small disturbances grow", "исследовать устойчивость по отношению к малым возмущениям")
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
-        let study = Stability::of(asked);
         let mut results = Results { kind: KIND.name, heading: Text::new("Stability", "Устойчивость"), ..Results::default() };
         results.data = machine::no_numbers(machine);
-        let done = match &study.over {
-            Some(range) => walk::walk(machine, (&study, range), &mut results, watch),
-            None => single::single(machine, &study, &mut results, watch),
+        let study = Stability::of(asked);
+        let done = match (lyapunov::Long::of(asked), &study.over) {
+            (Some(long), _) => lyapunov::long(machine, &long, &mut results, watch),
+            (None, Some(range)) => walk::walk(machine, (&study, range), &mut results, watch),
+            (None, None) => single::single(machine, &study, &mut results, watch),
         };
         if let Err(trouble) = done {
             results.fail(trouble);

@@ -213,6 +213,10 @@ fn end_in_words(machine: &Machine, end: &End) -> Text {
             "a switch is only touched there (grazing), and what lies beyond does not follow from it",
             "переключение там лишь едва достигается (касание), и продолжение из него не следует",
         ),
+        End::Lingers => text(
+            "its period grows without bound: the motion comes ever nearer to an unstable place of rest (a homoclinic or heteroclinic motion)",
+            "период неограниченно растёт: движение подходит всё ближе к неустойчивому положению равновесия (гомоклиническое или гетероклиническое движение)",
+        ),
         End::Stuck(step, fault) => {
             let en = report::number::short(*step, 2, Language::En);
             let ru = en.replace('.', ",");
@@ -244,15 +248,16 @@ fn about(machine: &Machine, study: &Branched, (which, of): (usize, usize), curve
     let ends: Vec<Text> = curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
     let list = |pick: fn(&Text) -> &str| ends.iter().map(pick).collect::<Vec<_>>().join("; ");
     let (en_ends, ru_ends) = (list(|t| &t.en), list(|t| &t.ru));
-    let (printed_en, printed_ru) = (report::unit::print(&unit, Language::En), report::unit::print(&unit, Language::Ru));
+    let printed = |language| if unit == "1" { String::new() } else { format!(" {}", report::unit::print(&unit, language)) };
+    let (printed_en, printed_ru) = (printed(Language::En), printed(Language::Ru));
     let symbol = symbol(machine, study);
     let which = which + 1;
     let (en, ru) =
         if of > 1 { (format!("Branch {which}"), format!("Ветвь {which}")) } else { ("The branch".into(), "Ветвь".into()) };
     Text::new(
-        format!("{en}: {symbol} from {low} to {high} {printed_en}, {points} points. Where it ends: {en_ends}."),
+        format!("{en}: {symbol} from {low} to {high}{printed_en}, {points} points. Where it ends: {en_ends}."),
         format!(
-            "{ru}: {symbol} от {} до {} {printed_ru}, точек: {points}. Где кончается: {ru_ends}.",
+            "{ru}: {symbol} от {} до {}{printed_ru}, точек: {points}. Где кончается: {ru_ends}.",
             low.replace('.', ","),
             high.replace('.', ",")
         ),

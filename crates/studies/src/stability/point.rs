@@ -51,12 +51,17 @@ pub(super) struct Point {
 pub(super) enum Care {
     /// The second way and the name of the resonance too.
     Full,
+    /// The verdict with the checks of the motion.
+    Checked,
     /// The verdict alone.
     Verdict,
 }
 
 /// About a motion of the machine, or its place of rest.
 pub(super) fn of_motion(machine: &mut Machine, study: &periodic::Periodic, care: Care, watch: &mut Watch) -> Result<Point, Notice> {
+    if let Some(point) = of_rest(machine, study, care) {
+        return Ok(point);
+    }
     let outcome = periodic::regime(machine, study, watch);
     if let Some(fault) = outcome.fault {
         return Err(explained(fault, &machine.equations));
@@ -91,6 +96,16 @@ pub(super) fn of_motion(machine: &mut Machine, study: &periodic::Periodic, care:
         point.examine(&rows).map_err(|fault| explained(fault, &machine.equations))?;
     }
     Ok(point)
+}
+
+/// About a place where the machine rests at every instant: Hill's equation from its coefficients, where the verdict alone is wanted. Whatever speaks against it is left to the motion.
+fn of_rest(machine: &mut Machine, study: &periodic::Periodic, care: Care) -> Option<Point> {
+    let period = study.period.filter(|_| care == Care::Verdict && study.section == periodic::Section::Time && study.settle == 0.0)?;
+    if !machine.equations.conditions.is_empty() {
+        return None;
+    }
+    let start = machine.system.start().ok()?;
+    (analysis::made::STANDING)(&mut machine.system, &start, period).ok().flatten().map(of_scalar)
 }
 
 /// About the positions of a machine whose coordinate runs uniformly.

@@ -208,6 +208,17 @@ impl Words<'_> {
         })
     }
 
+    /// Which tongue of the diagram of Ince and Strutt.
+    pub(super) fn tongue(&self) -> Option<Text> {
+        let n = self.0.scalar.as_ref()?.tongue()?;
+        Some(Text::new(
+            format!("Tongue {n} of the Ince-Strutt diagram: number of zeros of the growing solution in a period of the coefficients."),
+            format!(
+                "Область неустойчивости номер {n} диаграммы Айнса — Стретта: номер — число нулей растущего решения за период коэффициентов."
+            ),
+        ))
+    }
+
     /// What Mathieu's form leaves out.
     pub(super) fn harmonics(&self) -> Option<Text> {
         let list = self.0.scalar.as_ref()?.harmonics();

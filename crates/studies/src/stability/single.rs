@@ -41,6 +41,7 @@ pub(super) fn single(machine: &mut Machine, study: &Stability, results: &mut Res
     results.own.extend(to_json(&point));
     results.words.push(Words(&point).verdict());
     results.words.extend(Words(&point).resonance());
+    results.words.extend(Words(&point).tongue());
     results.words.extend(Words(&point).harmonics());
     results.body = Body::After(Arc::new(Shown { reduction, scalar: point.scalar }));
     Ok(())
@@ -133,6 +134,7 @@ pub(super) fn of_scalar(scalar: &Scalar) -> serde_json::Map<String, Value> {
         Criterion::ALL.iter().map(|by| (by.key().to_owned(), json!(scalar.verdict(*by).key()))).collect();
     let harmonics = scalar.harmonics();
     crate::results::fields(json!({
+        "tongue": scalar.tongue(),
         "mathieu": {"d": scalar.d(), "e": scalar.e(), "mu": scalar.depth(), "eta": scalar.eta(), "verdict": scalar.verdict(Criterion::Mathieu).key()},
         "verdicts": verdicts,
         "harmonics": harmonics[..harmonics.len().min(HARMONICS)],

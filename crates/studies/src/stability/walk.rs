@@ -25,6 +25,8 @@ use words::{Notice, Text};
 const VALUES: usize = 201;
 /// Neighbouring values may differ by this much in √d: a tongue lies at each whole number.
 const APART: f64 = 0.2;
+/// Every so many values the motion itself is followed, with its checks, where the verdict could do without.
+const CHECKED: usize = 16;
 /// Halvings of an interval between values.
 const DEPTH: usize = 12;
 
@@ -40,6 +42,10 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     fn at(&mut self, value: f64, watch: &mut Watch) -> Result<Point, Notice> {
+        self.with(value, Care::Verdict, watch)
+    }
+
+    fn with(&mut self, value: f64, care: Care, watch: &mut Watch) -> Result<Point, Notice> {
         let binding = self.machine.bind(&[(self.name, value)]).map_err(in_words)?;
         let study = self.study.reread([self.written.clone(), self.study.in_file(&self.machine)]);
         if let About::Running { angle, .. } = &study.about {
@@ -49,7 +55,7 @@ impl Walk<'_> {
             }
         }
         let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
-        point::at(&mut self.machine, &study, self.reduction.as_ref(), Care::Verdict, &mut inner)
+        point::at(&mut self.machine, &study, self.reduction.as_ref(), care, &mut inner)
     }
 }
 
@@ -87,7 +93,8 @@ fn sampled(walk: &mut Walk<'_>, range: &Range, count: usize, watch: &mut Watch) 
             progress(k as f64 / count as f64);
         }
         let value = range.from + (range.to - range.from) * k as f64 / (count - 1) as f64;
-        let next = (value, walk.at(value, watch)?);
+        let care = if k % CHECKED == 0 { Care::Checked } else { Care::Verdict };
+        let next = (value, walk.with(value, care, watch)?);
         let mut between = match found.last() {
             Some(last) => refined(walk, (last, &next), watch)?,
             None => Vec::new(),

@@ -44,6 +44,8 @@ pub enum End {
     Rests,
     /// A switch is only touched there, and what lies beyond does not follow from it.
     Grazes,
+    /// The period of a free motion grows without bound: it comes ever nearer to a place of rest that it leaves again.
+    Lingers,
     /// No step leads further: how small the last one was, and why, where the equations say so.
     Stuck(f64, Option<Fault>),
     /// The user has interrupted.
@@ -163,15 +165,17 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
                 if h < SHORTEST {
                     let grazes = grazing(zeros, &a);
                     curve.special.extend(grazes.map(|special| (curve.places.len() - 1, special)));
-                    let stuck =
-                        if curve.special.last().is_some_and(|s| s.1.what == What::Grazing) { End::Grazes } else { End::Stuck(h, fault) };
-                    curve.ends[1] = Some(stuck);
+                    curve.ends[1] = Some(match curve.special.last() {
+                        Some((_, special)) if special.what == What::Grazing => End::Grazes,
+                        _ if lingers(&a) => End::Lingers,
+                        _ => End::Stuck(h, fault),
+                    });
                     return curve;
                 }
             }
             Tried::Done(b, mut events, steps, side) => {
                 let place = curve.places.len();
-                if let Some(first) = events.iter().position(|e| rests(&e.special.place)) {
+                if let Some(first) = events.iter().position(|e| rests(&e.special.place, [&a, &b])) {
                     events.truncate(first + 1);
                     curve.special.extend(events.into_iter().map(|e| (place, e.special)));
                     curve.rest_there();
@@ -199,13 +203,27 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
     curve
 }
 
-/// Extent of a motion, as a share of what it has been on its branch, that is none: a branch point is known to the root of rounding.
-const SHRUNK: f64 = 1e-4;
+/// Extent of a motion, as a share of what it is at the ends of a step, that is none. Through rest the extent falls to 0 and grows again in a straight line, and the place of a branch
+/// point on a step is known to some thousandth of it; anywhere else the extent changes by a part of itself.
+const SHRUNK: f64 = 0.02;
 
-/// Whether a free motion has shrunk to a place of rest.
-fn rests(place: &Place) -> bool {
-    let small = |([low, high], scale): (&[f64; 2], &f64)| high - low <= SHRUNK * scale;
-    place.local.phase.is_some() && place.local.facts.extremes.iter().zip(&place.local.scales).all(small)
+/// Whether a free motion has shrunk to a place of rest between the ends of a step.
+fn rests(place: &Place, ends: [&Place; 2]) -> bool {
+    let extents = |place: &Place| -> Vec<f64> { place.local.facts.extremes.iter().map(|[low, high]| high - low).collect() };
+    let [here, a, b] = [place, ends[0], ends[1]].map(extents);
+    place.local.phase.is_some() && here.iter().zip(a.iter().zip(&b)).all(|(here, (a, b))| *here <= SHRUNK * a.max(*b))
+}
+
+/// Share of the change of the period by which the parameter changes where a motion comes near to rest, both in their scales: it falls like exp(-λT), and no other end of a branch has the
+/// period alone grow.
+const STILL: f64 = 1e-5;
+
+/// Whether the period alone grows from a point on.
+fn lingers(a: &Place) -> bool {
+    let last = a.y.len() - 1;
+    let Some(before) = last.checked_sub(1).filter(|_| a.local.phase.is_some()) else { return false };
+    let [period, parameter] = [before, last].map(|i| a.tangent[i] / a.local.scales[i]);
+    parameter.abs() <= STILL * period
 }
 
 /// Steps beyond the end of a branch at which the motion is looked at: from what corrections resolve to what a straight way is good for.

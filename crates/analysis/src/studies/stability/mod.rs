@@ -8,11 +8,17 @@
 //! *Source*: V. A. Yakubovich, V. M. Starzhinskii, Linear Differential Equations with Periodic Coefficients, 1975, ch. II, IV, VI.
 
 mod collocation;
+mod diagram;
 mod floquet;
+mod lyapunov;
 mod resonance;
 mod scalar;
+mod standing;
 
 pub use collocation::by_collocation;
+pub use diagram::{Diagram, Family};
 pub use floquet::{Exponent, Verdict, exponents, growth, verdict, without_clocks};
+pub use lyapunov::{Fate, Lyapunov, Options, Rate, lyapunov};
 pub use resonance::{Resonance, Tongue, resonance};
 pub use scalar::{Criterion, Scalar};
+pub use standing::standing;

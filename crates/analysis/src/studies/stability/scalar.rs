@@ -166,6 +166,11 @@ impl Scalar {
         }
     }
 
+    /// Where disturbances grow, the number of the tongue: zeros of the growing solution in the least period.
+    pub fn tongue(&self) -> Option<usize> {
+        if self.verdict(Criterion::Hill) == Verdict::Unstable { self.hill.tongue() } else { None }
+    }
+
     /// The verdict.
     pub fn verdict(&self, by: Criterion) -> Verdict {
         if self.decay < 0.0 {

@@ -1,0 +1,250 @@
+//! Lyapunov's exponents of a motion: how quickly small disturbances of it grow on average, whether it comes back or not.
+//!
+//! ```text
+//! Y = Φ(t + τ, t) Q = Q' R      columns of Q' orthonormal, R triangular (Gram and Schmidt, twice)
+//! λ_k = Σ ln R_kk / Σ τ         the largest first
+//! ```
+//!
+//! Φ comes from the variational equations, with saltation where the motion switches. The mean of the parts of the motion tells what is known of it: their spread over the root of their number, by
+//! Student's distribution. *Source*: G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980) 9-30.
+
+use crate::integrate::taylor::{Options as Tolerances, check_tolerance};
+use crate::studies::periodic::{Listener, Look, Stage, piece, tangent_of};
+use crate::{Fault, System};
+use algebra::elementary;
+use algebra::vectors::{dot, norm};
+
+/// Share of the time in which a disturbance turns into the direction that grows most: nothing counts before.
+const TURNS_IN: f64 = 0.1;
+/// Parts whose means are compared.
+const PARTS: usize = 20;
+/// Student's quantile of 95 % for 19 degrees of freedom.
+const STUDENT: f64 = 2.093;
+/// Pieces of a part, at least.
+const PIECES: usize = 5;
+/// Every so many pieces Liouville's formula is looked at.
+const LOOKED_AT: usize = 8;
+/// Rows of the state that are those of 1 by this: a state that nothing disturbs.
+const UNTOUCHED: f64 = 1e-14;
+/// From a tenth of the time to its end a disturbance that grows like t⁴ gains 10⁴: what grows by less than the next power of ten, e^11.5, may have no exponent.
+const GROWN: f64 = 11.5;
+/// Exponents that are further apart than this in a piece, as powers of e, drown in the rounding of its matrix.
+const DROWNED: f64 = 25.0;
+
+/// What is asked.
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// Motion that is let pass before, s.
+    pub settle: f64,
+    /// Motion that counts, s.
+    pub duration: f64,
+    /// Relative tolerance of a step.
+    pub tolerance: f64,
+    /// Who listens.
+    pub listener: Listener<'a>,
+}
+
+/// An exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rate {
+    /// 1/s.
+    pub value: f64,
+    /// Half of the interval in which it lies with 95 % by the spread of the parts, 1/s.
+    pub error: f64,
+}
+
+/// What becomes of disturbances in the long run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// They grow like an exponential: chaotic, where the motion stays bounded.
+    Grow,
+    /// They die out.
+    Die,
+    /// They do neither, as far as this time tells.
+    Neither,
+}
+
+impl Fate {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Fate::Grow => "grows",
+            Fate::Die => "dies",
+            Fate::Neither => "undecided",
+        }
+    }
+}
+
+/// The exponents of a motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lyapunov {
+    /// The largest first; those that a switch or rounding takes away are left out from there on.
+    pub exponents: Vec<Rate>,
+    /// Time and mean growth of the largest up to it.
+    pub history: Vec<[f64; 2]>,
+    /// By how much Liouville's formula is missed in a piece, at most.
+    pub liouville: f64,
+    /// Time that counts, s.
+    pub counted: f64,
+    /// Whether the motion was interrupted.
+    pub partial: bool,
+}
+
+impl Lyapunov {
+    /// What becomes of disturbances; where a switch takes all of them away they die.
+    pub fn fate(&self) -> Fate {
+        match self.exponents.first() {
+            None => Fate::Die,
+            Some(rate) if rate.value > rate.error && rate.value * self.counted > GROWN => Fate::Grow,
+            Some(rate) if rate.value < -rate.error => Fate::Die,
+            Some(_) => Fate::Neither,
+        }
+    }
+
+    /// The dimension of Kaplan and Yorke, k + (λ₁ + ... + λ_k)/|λ_(k+1)| with the largest k whose sum is not negative; none where disturbances do not grow, or not all exponents are known.
+    pub fn dimension(&self, states: usize) -> Option<f64> {
+        if self.fate() != Fate::Grow || self.exponents.len() < states {
+            return None;
+        }
+        let mut sum = 0.0;
+        for (k, rate) in self.exponents.iter().enumerate() {
+            if sum + rate.value < 0.0 {
+                return Some(k as f64 + sum / rate.value.abs());
+            }
+            sum += rate.value;
+        }
+        None
+    }
+}
+
+/// ln R_kk of a piece, and when it ended.
+struct Stretch {
+    end: f64,
+    length: f64,
+    logs: Vec<f64>,
+}
+
+/// The exponents of the motion from a start, and how many directions may be disturbed.
+///
+/// *Errors*: those of a motion; S054, S055, S122 and S141 where it has no derivative by its start.
+pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Options<'_>) -> Result<(Lyapunov, usize), Fault> {
+    check_tolerance(options.tolerance)?;
+    let end = options.settle + options.duration;
+    let flow = Tolerances { tolerance: options.tolerance, span: end, ..Tolerances::default() };
+    let counts = options.settle + TURNS_IN * options.duration;
+    let most = (1.0 - TURNS_IN) * options.duration / (PARTS * PIECES) as f64;
+    let (mut t, mut x) = (0.0, start.to_vec());
+    let mut frame: Option<Frame> = None;
+    let mut stretches: Vec<Stretch> = Vec::new();
+    let mut found = Lyapunov { counted: (1.0 - TURNS_IN) * options.duration, ..Lyapunov::default() };
+    let (mut states, mut number) = (0, 0);
+    while t < end {
+        if options.listener.interrupt.is_some_and(|flag| flag.load(std::sync::atomic::Ordering::Relaxed)) {
+            found.partial = true;
+            break;
+        }
+        if let Some(told) = options.listener.told {
+            told(Stage::Settling(t, end));
+        }
+        let look = if number % LOOKED_AT == 0 { Look::Close } else { Look::Quick };
+        let until = if t < counts { (t + most).min(counts) } else { (t + most).min(end) };
+        let next = piece(system, (t, &x), until, &flow, (look, Listener { told: None, ..options.listener }))?;
+        if frame.is_none() {
+            let made = Frame::new(tangent_of(system, (&x, &next.modes), &next.scales)?, &next, system.n_coordinates());
+            states = made.columns.len();
+            frame = Some(made);
+        }
+        let logs = frame.as_mut().map(|frame| frame.carry(&next.matrix)).unwrap_or_default();
+        found.liouville = found.liouville.max(next.liouville);
+        if t >= counts {
+            stretches.push(Stretch { end: next.end.0, length: next.end.0 - t, logs });
+        }
+        (t, x) = next.end;
+        number += 1;
+    }
+    let known = stretches.iter().map(|s| s.logs.len()).min().unwrap_or(0);
+    found.exponents = (0..known).map_while(|k| rate(&stretches, k, (counts, end))).collect();
+    let (mut sum, mut time) = (0.0, 0.0);
+    for stretch in stretches.iter().filter(|s| !s.logs.is_empty()) {
+        sum += stretch.logs[0];
+        time += stretch.length;
+        found.history.push([stretch.end, sum / time]);
+    }
+    Ok((found, states))
+}
+
+/// The mean of an exponent with its error; none where it drowns in rounding.
+fn rate(stretches: &[Stretch], k: usize, (from, to): (f64, f64)) -> Option<Rate> {
+    if stretches.iter().any(|s| s.logs[0] - s.logs[k] > DROWNED) {
+        return None;
+    }
+    let mut parts = [[0.0; 2]; PARTS];
+    for stretch in stretches {
+        let middle = stretch.end - 0.5 * stretch.length;
+        let part = ((middle - from) / (to - from) * PARTS as f64) as usize;
+        let [sum, time] = &mut parts[part.min(PARTS - 1)];
+        *sum += stretch.logs[k];
+        *time += stretch.length;
+    }
+    let [sum, time] = parts.iter().fold([0.0, 0.0], |[s, t], [sum, time]| [s + sum, t + time]);
+    let means: Vec<f64> = parts.iter().filter(|part| part[1] > 0.0).map(|[sum, time]| sum / time).collect();
+    let (value, count) = (sum / time, means.len() as f64);
+    let spread = means.iter().map(|mean| (mean - value) * (mean - value)).sum::<f64>() / (count - 1.0).max(1.0);
+    value.is_finite().then_some(Rate { value, error: STUDENT * (spread / count).sqrt() })
+}
+
+/// Orthonormal disturbances, in scales.
+struct Frame {
+    scales: Vec<f64>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Frame {
+    /// The directions that connections leave free, without those of states that are functions of time alone.
+    fn new((free, basis): (Vec<usize>, Vec<Vec<f64>>), first: &crate::studies::periodic::Piece, n_coordinates: usize) -> Frame {
+        let n = first.scales.len();
+        let untouched = |i: usize| (0..n).all(|j| (first.matrix[i * n + j] - if i == j { 1.0 } else { 0.0 }).abs() <= UNTOUCHED);
+        let clock = |i: usize| i >= 2 * n_coordinates && untouched(i);
+        let own = free.iter().zip(basis).filter(|(i, _)| !clock(**i));
+        let columns = own.map(|(_, column)| column.iter().zip(&first.scales).map(|(c, s)| c / s).collect()).collect();
+        let mut frame = Frame { scales: first.scales.clone(), columns };
+        frame.orthonormal();
+        frame
+    }
+
+    /// The disturbances at the end of a piece, and the logarithms of their growth. What a switch takes away is no more.
+    fn carry(&mut self, matrix: &[f64]) -> Vec<f64> {
+        let n = self.scales.len();
+        for column in &mut self.columns {
+            let old: Vec<f64> = column.iter().zip(&self.scales).map(|(c, s)| c * s).collect();
+            for (i, entry) in column.iter_mut().enumerate() {
+                *entry = dot(&matrix[i * n..(i + 1) * n], &old) / self.scales[i];
+            }
+        }
+        self.orthonormal()
+    }
+
+    /// Makes the columns orthonormal; logarithms of what they had been long beside those before them.
+    fn orthonormal(&mut self) -> Vec<f64> {
+        let (mut logs, mut kept): (Vec<f64>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
+        for mut column in std::mem::take(&mut self.columns) {
+            let whole = norm(&column);
+            // once more for what rounding leaves of the first time
+            for _ in 0..2 {
+                for other in &kept {
+                    let share = dot(&column, other);
+                    column.iter_mut().zip(other).for_each(|(c, o)| *c -= share * o);
+                }
+            }
+            let length = norm(&column);
+            // what is rounding of the sums has no direction
+            if length > f64::EPSILON * whole && length.is_normal() {
+                logs.push(elementary::ln(length));
+                column.iter_mut().for_each(|c| *c /= length);
+                kept.push(column);
+            }
+        }
+        self.columns = kept;
+        logs
+    }
+}
