@@ -19,7 +19,7 @@ use analysis::studies::continuation::{Diagram, Family, Options, regimes, rests};
 use analysis::studies::periodic::{Listener, Periodic, Return};
 use asked::{Branched, Followed};
 use family::Bound;
-use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Words};
+use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
 use words::explain::Explanation;
 use words::{Notice, Text};
 
@@ -43,11 +43,14 @@ static KIND: Kind = Kind::new(
 )
 .keys(&[
     Key::new("parameter", Takes::Varied, ("the parameter that changes", "параметр, который меняется"), "\"w\"")
-        .option("The parameter that changes", "Параметр, который меняется"),
+        .option("The parameter that changes", "Параметр, который меняется")
+        .way(Way::Written),
     Key::new("from", Takes::Quantity(Like::Of("parameter"), Limits::None), ("its least value", "его наименьшее значение"), "\"0.2 rad/s\"")
-        .option("Its least value", "Его наименьшее значение"),
+        .option("Its least value", "Его наименьшее значение")
+        .way(Way::Written),
     Key::new("to", Takes::Quantity(Like::Of("parameter"), Limits::None), ("its greatest value", "его наибольшее значение"), "\"3 rad/s\"")
-        .option("Its greatest value", "Его наибольшее значение"),
+        .option("Its greatest value", "Его наибольшее значение")
+        .way(Way::Written),
     Key::new(
         "of",
         Takes::Word(&OF),

@@ -338,3 +338,13 @@ fn a_variant_replaces_values_and_set_counts_more() {
     let text = stderr(strutt().current_dir(&here).args(["check", "m.toml", "--variant", "1"]), 2);
     assert!(text.contains("C001") && text.contains("table.csv"), "{text}");
 }
+
+/// The file has no study `continue`: the command line writes one, with the period and the range in it.
+#[test]
+fn a_branch_is_followed_from_the_command_line_alone() {
+    let range = ["--parameter", "omega", "--from", "110 rad/s", "--to", "112 rad/s"];
+    let text = stdout(strutt().args(["continue", &gallery("kapitza"), "--period", "2*pi/omega", "--csv"]).args(range));
+    let (head, rows) = common::table(&text);
+    assert!(head[1].starts_with("omega") && rows.len() > 2, "{text}");
+    assert_eq!([rows[0][1], rows[rows.len() - 1][1]], [110.0, 112.0]);
+}

@@ -28,7 +28,7 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
         let label = Text::new(format!("point {}: {}", k + 1, name(special.what).en), format!("точка {}: {}", k + 1, name(special.what).ru));
         let fact =
             Fact::new(&format!("special_{}", k + 1), &symbol(machine, study), &unit(machine, study), special.place.parameter(), label);
-        results.facts.push(fact.with_words(extent(machine, special)));
+        results.facts.push(fact.with_words(extent(machine, study, special)));
     }
     for (k, curve) in diagram.curves.iter().enumerate() {
         results.words.push(about(machine, study, (k, diagram.curves.len()), curve));
@@ -67,8 +67,18 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
     results.body = Body::After(Arc::new(Shown::new(machine, study, diagram)));
 }
 
-/// Greatest values of the coordinates at a point.
-fn extent(machine: &Machine, special: &Special) -> Text {
+/// Share of a parameter below which what is not known of it is no digit of the table.
+const SHOWN: f64 = 5e-9;
+
+/// Greatest values of the coordinates at a point, and what is not known of its place where a table would print it.
+fn extent(machine: &Machine, study: &Branched, special: &Special) -> Text {
+    let unsure = special.within > SHOWN * special.place.parameter().abs().max(SHOWN * (study.to - study.from).abs());
+    let bound = |language: Language| {
+        let number = report::number::short(special.within, 2, Language::En);
+        let number = if language == Language::Ru { number.replace('.', ",") } else { number };
+        let printed = format!("; ± {number} {}", report::unit::print(&unit(machine, study), language));
+        if unsure { printed.trim_end().to_owned() } else { String::new() }
+    };
     let list = |language: Language| {
         let one = |(q, ends): (&Quantity, &[f64; 2])| {
             let number = report::number::short(ends[1], 6, Language::En);
@@ -78,7 +88,8 @@ fn extent(machine: &Machine, special: &Special) -> Text {
         let quantities = coordinates(machine);
         quantities.iter().zip(&special.place.facts().extremes).map(one).collect::<Vec<_>>().join("; ")
     };
-    Text::new(format!("greatest {}", list(Language::En)), format!("наибольшее {}", list(Language::Ru)))
+    let words = |what: &str, language: Language| format!("{what} {}{}", list(language), bound(language));
+    Text::new(words("greatest", Language::En), words("наибольшее", Language::Ru))
 }
 
 /// What happens, in words.

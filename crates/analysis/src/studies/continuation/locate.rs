@@ -4,7 +4,7 @@
 //! found by secants within a bracket; at a branch point, where corrections have no unique solution, by interpolation over points on both sides of it.
 
 use super::corrector::{self, Plane, settle};
-use super::signs::{leaves_as_pair, outside};
+use super::signs::{leaves_as_pair, leaving, outside};
 use super::zeros::{Place, Sort, Zeros};
 use crate::Fault;
 
@@ -188,6 +188,7 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         _ => None,
     };
     let within = crossed.as_ref().map_or(0.5 * (after.parameter() - before.parameter()).abs(), |(_, within)| *within);
+    let within = if test == Test::Pair { within + unsure(a, b, sort) } else { within };
     let place = crossed.map(|(place, _)| place);
     let place = place.unwrap_or_else(|| if test == Test::Count { after.clone() } else { nearest(before, after, &value) });
     let numbers = place.local.facts.multipliers.clone().unwrap_or_default();
@@ -201,6 +202,14 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Count => of_count(&place, sort),
     };
     Ok(Some(Located { share: 0.5 * (low + high), special: Special { what, within, place } }))
+}
+
+/// By how much the parameter is not known where a pair crosses slowly: its error over the slope of its way from a to b.
+fn unsure(a: &Place, b: &Place, sort: Sort) -> f64 {
+    let of = |place: &Place| place.local.facts.multipliers.as_deref().and_then(|numbers| leaving(numbers, sort));
+    let Some(([from, error_from], [to, error_to])) = of(a).zip(of(b)) else { return 0.0 };
+    let share = error_from.max(error_to) / (to - from).abs();
+    share.min(1.0) * (b.parameter() - a.parameter()).abs()
 }
 
 fn of_pair(sort: Sort) -> What {

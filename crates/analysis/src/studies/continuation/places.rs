@@ -14,8 +14,10 @@ use words::{Message, Text};
 const STEP: f64 = 1e-7;
 /// A coordinate without a size: a thousandth of its unit.
 const SMALL: f64 = 1e-3;
-/// Rounding of the entries of A, as a share of the largest root.
-const ROUNDING: f64 = 1e-11;
+/// Rounding of an entry of A, as a share of the largest of its row: sums of a few terms that may cancel.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Disturbances of A by its rounding: the roots err by twice what moves them most.
+const TRIALS: usize = 3;
 /// Frequencies that differ by less than this share of the largest root may be one: a double root is known to the root of rounding.
 const APART: f64 = 1e-6;
 /// Instants at which the laws are asked for time, s: a load may rest at one of them.
@@ -30,6 +32,8 @@ pub(super) struct Rests<'f> {
     pub(super) family: &'f mut dyn Family,
     /// Sizes of the states.
     sizes: Vec<f64>,
+    /// States that are functions of time alone and that nothing feels: the angle of a frame that turns at a given speed.
+    clocks: Vec<usize>,
     range: f64,
     evaluations: usize,
 }
@@ -66,9 +70,10 @@ impl<'f> Rests<'f> {
                 return Err(driven());
             }
         }
+        let clocks = clocks(n, x.len(), &rows)?;
         let size = |(i, x): (usize, &f64)| if machine.states()[i].unit == "rad" { 1.0 } else { x.abs().max(SMALL) };
         let sizes = x.iter().enumerate().map(size).collect();
-        Ok(Rests { family, sizes, range, evaluations: 0 })
+        Ok(Rests { family, sizes, clocks, range, evaluations: 0 })
     }
 
     /// Unknowns at a state.
@@ -103,6 +108,20 @@ impl<'f> Rests<'f> {
     }
 }
 
+/// Share of the largest entry of a row below which a state is not felt: rounding of terms that cancel.
+const FELT: f64 = 1e-12;
+
+/// Auxiliary states that run on, whatever the machine does, from the derivatives of the rates of all states.
+///
+/// *Errors*: S154 where the machine feels one of them.
+fn clocks(n: usize, states: usize, rows: &[f64]) -> Result<Vec<usize>, Fault> {
+    let width = states + 1;
+    let largest = |i: usize| rows[i * width..(i + 1) * width].iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+    let list: Vec<usize> = (2 * n..states).filter(|i| largest(*i) == 0.0).collect();
+    let felt = |i: usize| (0..states).any(|row| rows[row * width + i].abs() > FELT * largest(row));
+    if list.iter().any(|i| felt(*i)) { Err(driven()) } else { Ok(list) }
+}
+
 /// Scales of the states: an angle has the size of a radian, and a rate the scale of its coordinate.
 fn scales(machine: &Machine, sizes: &[f64]) -> Vec<f64> {
     let n = machine.n_coordinates();
@@ -125,9 +144,11 @@ struct Small {
 }
 
 impl Small {
-    fn at(machine: &mut Machine, x: &[f64], scales: &[f64]) -> Result<Small, Fault> {
+    fn at(machine: &mut Machine, x: &[f64], (scales, clocks): (&[f64], &[usize])) -> Result<Small, Fault> {
         let modes = modes(machine, x);
         let (free, basis) = tangent_of(machine, (x, &modes), scales)?;
+        let own = free.into_iter().zip(basis).filter(|(i, _)| !clocks.contains(i));
+        let (free, basis) = own.unzip();
         let mut rows = Vec::new();
         machine.slopes(0.0, x, &modes, &mut rows)?;
         Ok(Small { free, basis, rows })
@@ -155,7 +176,7 @@ impl Zeros for Rests<'_> {
         let (machine, _) = self.family.at(y[last])?;
         let n = machine.n_coordinates();
         let scales = scales(machine, &self.sizes);
-        let small = Small::at(machine, x, &scales)?;
+        let small = Small::at(machine, x, (&scales, &self.clocks))?;
         let multipliers = roots(small.free.len(), &small.matrix(&scales))?;
         let facts = Facts {
             extremes: x[..n].iter().map(|q| [*q, *q]).collect(),
@@ -229,12 +250,27 @@ impl Zeros for Rests<'_> {
     }
 }
 
-/// Eigenvalues of the linear equations, those that grow most first.
+/// Eigenvalues of the linear equations, those that grow most first. Each errs by what the rounding of A moves it by, which is little for a single root and the root of it for a double one.
 fn roots(n: usize, matrix: &[f64]) -> Result<Vec<Multiplier>, Fault> {
     let values = general(n, matrix)?.values;
     let largest = values.iter().map(|z| algebra::complex::abs(*z)).fold(0.0, f64::max);
-    let root = |z: &algebra::complex::Complex| Multiplier { re: z.re, im: z.im, error: ROUNDING * largest, ..Multiplier::default() };
-    let mut list: Vec<Multiplier> = values.iter().map(root).collect();
+    let mut errors = vec![ROUNDING * largest; n];
+    let mut random = algebra::random::Random::new(1);
+    for _ in 0..TRIALS {
+        let mut disturbed = matrix.to_vec();
+        for row in disturbed.chunks_mut(n.max(1)) {
+            // a rate is the derivative of its coordinate exactly
+            let size = if row.iter().all(|v| *v == 0.0 || *v == 1.0) { 0.0 } else { row.iter().fold(0.0_f64, |l, v| l.max(v.abs())) };
+            row.iter_mut().for_each(|v| *v += ROUNDING * size * random.between(-1.0, 1.0));
+        }
+        let moved = general(n, &disturbed)?.values;
+        for (error, value) in errors.iter_mut().zip(&values) {
+            let nearest = moved.iter().map(|m| algebra::complex::abs(m - value)).fold(f64::INFINITY, f64::min);
+            *error = error.max(2.0 * nearest);
+        }
+    }
+    let root = |(z, error): (&algebra::complex::Complex, &f64)| Multiplier { re: z.re, im: z.im, error: *error, ..Multiplier::default() };
+    let mut list: Vec<Multiplier> = values.iter().zip(&errors).map(root).collect();
     list.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
     Ok(list)
 }
@@ -243,15 +279,14 @@ fn roots(n: usize, matrix: &[f64]) -> Result<Vec<Multiplier>, Fault> {
 /// equations say.
 fn stable(roots: &[Multiplier]) -> Option<bool> {
     let largest = roots.iter().map(Multiplier::abs).fold(0.0, f64::max);
-    let margin = |m: &Multiplier| m.error.max(super::signs::NEUTRAL * largest);
-    if roots.iter().any(|m| m.re > margin(m)) {
+    if roots.iter().any(|m| m.re > m.error) {
         return Some(false);
     }
     let lone = |k: usize, m: &Multiplier| {
         let far = |(i, other): (usize, &Multiplier)| i == k || (other.im - m.im).abs() > APART * largest;
         m.im.abs() > APART * largest && roots.iter().enumerate().all(far)
     };
-    roots.iter().enumerate().all(|(k, m)| m.re < -margin(m) || lone(k, m)).then_some(true)
+    roots.iter().enumerate().all(|(k, m)| m.re < -m.error || lone(k, m)).then_some(true)
 }
 
 /// Time occurs in the equations.

@@ -16,11 +16,6 @@ use crate::studies::periodic::Multiplier;
 use algebra::complex::{self, Complex};
 use algebra::lu::Lu;
 
-/// Products of two multipliers (sums of two roots) that are this near to 1 (to 0) at both ends belong to a pair that stays there: a machine without damping.
-const PAIRED: f64 = 1e-7;
-/// Roots this near to the imaginary axis, as a share of the largest, decide nothing.
-pub(super) const NEUTRAL: f64 = 1e-9;
-
 /// The test functions at a point.
 pub(super) fn at(place: &Place, sort: Sort) -> Signs {
     let k = place.local.basis.len();
@@ -31,14 +26,14 @@ pub(super) fn at(place: &Place, sort: Sort) -> Signs {
     let m = k - 1;
     let square: Vec<f64> = (0..m * m).map(|e| place.local.jacobian[e / m * k + e % m]).collect();
     let numbers = place.local.facts.multipliers.as_deref();
-    let pair = numbers.and_then(|numbers| pair(&own(numbers), sort));
+    let pair = numbers.and_then(|numbers| pair(numbers, sort));
     Signs {
         fold: place.tangent[last] / place.local.scales[last],
         branch: Lu::exact(&matrix, k).map_or(0.0, |lu| lu.determinant()),
         square: Lu::exact(&square, m).map_or(0.0, |lu| lu.determinant()),
         doubling: numbers.filter(|_| sort == Sort::Multipliers).map(doubling),
         pair: pair.map(|pair| pair.0),
-        paired: pair.is_some_and(|pair| pair.1 <= PAIRED),
+        paired: pair.is_some_and(|pair| pair.1 == Bond::Known),
         outside: numbers.map(|numbers| outside(numbers, sort)),
     }
 }
@@ -52,34 +47,54 @@ fn doubling(multipliers: &[Multiplier]) -> f64 {
     own(multipliers).into_iter().map(|m| m + Complex { re: 1.0, im: 0.0 }).fold(Complex { re: 1.0, im: 0.0 }, |a, b| a * b).re
 }
 
-/// The product over all pairs, and the least of its factors by size; none of a single multiplier.
-fn pair(numbers: &[Complex], sort: Sort) -> Option<(f64, f64)> {
-    let (mut product, mut least) = (Complex { re: 1.0, im: 0.0 }, f64::INFINITY);
-    for (i, a) in numbers.iter().enumerate() {
-        for b in &numbers[i + 1..] {
-            let value = match sort {
-                Sort::Multipliers => a * b - Complex { re: 1.0, im: 0.0 },
+/// Whether the product (the sum) of some pair is 1 (0) as far as its errors tell: the pair stays on the circle (the axis), as in a machine without damping.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Bond {
+    Known,
+    None,
+}
+
+/// The product over all pairs; none of a single multiplier.
+fn pair(numbers: &[Multiplier], sort: Sort) -> Option<(f64, Bond)> {
+    let list: Vec<(Complex, f64)> = numbers.iter().filter(|m| !m.trivial).map(|m| (Complex { re: m.re, im: m.im }, m.error)).collect();
+    let (mut product, mut bond) = (Complex { re: 1.0, im: 0.0 }, Bond::None);
+    for (i, (a, error_a)) in list.iter().enumerate() {
+        for (b, error_b) in &list[i + 1..] {
+            let (size_a, size_b) = (complex::abs(*a), complex::abs(*b));
+            let (value, error) = match sort {
+                Sort::Multipliers => (a * b - Complex { re: 1.0, im: 0.0 }, size_a * error_b + size_b * error_a),
                 Sort::Roots => {
-                    let size = complex::abs(*a) + complex::abs(*b);
-                    (a + b).scale(if size > 0.0 { 1.0 / size } else { 1.0 })
+                    let share = if size_a + size_b > 0.0 { 1.0 / (size_a + size_b) } else { 1.0 };
+                    ((a + b).scale(share), (error_a + error_b) * share)
                 }
             };
-            least = least.min(complex::abs(value));
+            if complex::abs(value) <= error {
+                bond = Bond::Known;
+            }
             product *= value;
         }
     }
-    (numbers.len() > 1).then_some((product.re, least))
+    (list.len() > 1).then_some((product.re, bond))
 }
 
-/// Number outside of the circle, or right of the axis.
+/// Number outside of the circle, or right of the axis, each beyond its own error: a wider band would be left where nothing happens.
 pub(super) fn outside(numbers: &[Multiplier], sort: Sort) -> usize {
+    numbers.iter().filter(|m| !m.trivial && off(m, sort) > m.error).count()
+}
+
+/// How far outside of the circle, or right of the axis.
+fn off(m: &Multiplier, sort: Sort) -> f64 {
     match sort {
-        Sort::Multipliers => crate::studies::periodic::outside(numbers),
-        Sort::Roots => {
-            let largest = numbers.iter().map(Multiplier::abs).fold(0.0, f64::max);
-            numbers.iter().filter(|m| m.re > m.error.max(NEUTRAL * largest)).count()
-        }
+        Sort::Multipliers => m.abs() - 1.0,
+        Sort::Roots => m.re,
     }
+}
+
+/// How far the pair that is next to leave is outside, and its error; none without a pair.
+pub(super) fn leaving(numbers: &[Multiplier], sort: Sort) -> Option<[f64; 2]> {
+    let pairs = numbers.iter().filter(|m| !m.trivial && m.im != 0.0);
+    let next = pairs.min_by(|a, b| off(a, sort).abs().total_cmp(&off(b, sort).abs()))?;
+    Some([off(next, sort), next.error])
 }
 
 /// Whether a pair with an imaginary part is the one that is on the circle (the axis) next.

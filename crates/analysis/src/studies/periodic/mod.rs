@@ -37,7 +37,6 @@ pub use options::{Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};
 pub(in crate::studies) use shooting::{Shooting, Turned, Varied, tangent_of};
 pub use verdict::NEUTRAL;
-pub(in crate::studies) use verdict::outside;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;

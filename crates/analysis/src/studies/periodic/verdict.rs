@@ -17,8 +17,3 @@ pub(super) fn stable(multipliers: &[Multiplier]) -> Option<bool> {
     }
     own().all(|m| 1.0 - m.abs() > margin(m)).then_some(true)
 }
-
-/// Number of multipliers outside of the unit circle, beyond their errors.
-pub(in crate::studies) fn outside(multipliers: &[Multiplier]) -> usize {
-    multipliers.iter().filter(|m| !m.trivial && m.abs() - 1.0 > margin(m)).count()
-}

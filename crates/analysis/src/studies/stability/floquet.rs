@@ -97,7 +97,7 @@ pub fn verdict(multipliers: &[Multiplier]) -> Verdict {
 
 /// Whether all lie on the unit circle, apart from one another, none at ±1.
 fn stay(own: &[&Multiplier]) -> bool {
-    let on_circle = |m: &&&Multiplier| (m.abs() - 1.0).abs() <= m.error.clamp(NEUTRAL, RECIPROCAL);
+    let on_circle = |m: &&&Multiplier| (m.abs() - 1.0).abs() <= m.error.min(RECIPROCAL);
     let distance = |a: &Multiplier, b: &Multiplier| elementary::hypot(a.re - b.re, a.im - b.im);
     let apart = |i: usize| own[..i].iter().all(|other| distance(own[i], other) > APART.max(2.0 * own[i].error));
     own.iter().filter(on_circle).count() == own.len() && (0..own.len()).all(apart) && own.iter().all(|m| m.im != 0.0)
@@ -122,6 +122,9 @@ mod tests {
         assert_eq!(verdict(&[multiplier(2.0, 0.0), multiplier(0.5, 0.0)]), Verdict::Unstable);
         assert_eq!(verdict(&[multiplier(-0.9, 0.0), multiplier(0.5, 0.0)]), Verdict::Stable);
         assert_eq!(verdict(&[multiplier(-1.0, 0.0), multiplier(-1.0, 0.0)]), Verdict::Limit);
+        // hardly any damping of the wrong sign: outside by more than its error, by less than decides
+        let growth = 1.0 + 0.5 * NEUTRAL;
+        assert_eq!(verdict(&[multiplier(growth * c, growth * s), multiplier(growth * c, -growth * s)]), Verdict::Limit);
         // two equal pairs may grow with time
         assert_eq!(verdict(&[pair, pair].concat()), Verdict::Limit);
         // nothing holds a pair on the circle beside one that dies out
