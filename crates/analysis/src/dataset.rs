@@ -46,6 +46,8 @@ pub struct Dataset {
     pub stated: Vec<Stated>,
     /// Why rows have no numbers: their index, and what is wrong there.
     pub reasons: Vec<(usize, Text)>,
+    /// Columns of words, behind those of numbers.
+    pub labels: Vec<Labels>,
     /// Whether the study was interrupted or ended by a fault, so that the result is a part of what was asked.
     pub partial: bool,
 }
@@ -100,6 +102,17 @@ pub struct Column {
     pub quantity: Quantity,
     /// Values, SI.
     pub values: Vec<f64>,
+}
+
+/// A column of words, such as names of regimes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Labels {
+    /// Its name.
+    pub name: String,
+    /// The words.
+    pub words: Vec<String>,
+    /// Which of them each row has.
+    pub rows: Vec<usize>,
 }
 
 /// What the values of a column mean that are no finite numbers.

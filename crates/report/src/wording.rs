@@ -50,6 +50,11 @@ words::table! {
     Points: "points", "точек";
     NoPositive: "no positive values: a logarithmic axis is not possible", "нет положительных значений: логарифмическая ось невозможна";
     NoData: "no finite values to draw", "нет конечных значений для построения";
+    Unstable: "unstable", "неустойчиво";
+    NoResult: "no result", "нет результата";
+    PickHelp: "Click a place: its values and the command line for them, which is copied.",
+        "Щёлкните точку: её значения и команда с ними, которая копируется в буфер обмена.";
+    Copied: "copied", "скопировано";
     Contacts: "Contacts and frictions", "Контакты и трение";
     Contact: "Contact", "Контакт";
     Before: "Before", "До";

@@ -178,6 +178,16 @@ const OWN: &[Explanation] = &[
         ),
     ),
     plain(
+        "C077",
+        ("No values from a column", "Нет значений из столбца"),
+        (
+            "--over 'm=column(\"masses.csv\",\"m\")' takes the values of a sweep from a table: its first line has the heads, `m` or `m [kg]`, and every other line a number there. Cells are parted by commas, or by semicolons with decimal commas. The file is looked for \
+             from the folder in which strutt is started.",
+            "Ключ --over 'm=column(\"masses.csv\",\"m\")' берёт значения серии из таблицы: в первой её строке заголовки, `m` или `m [kg]`, в остальных под ними числа. Ячейки разделены запятыми либо точками с запятой при десятичной запятой. Файл ищется от папки, в \
+             которой запущен strutt.",
+        ),
+    ),
+    plain(
         "C073",
         ("A format without pages", "Формат без страниц"),
         (

@@ -129,6 +129,9 @@ fn tables(shelf: &mut Shelf, results: &Results, stem: &str, language: Language) 
     if data.events.iter().any(|e| !e.name.is_empty()) {
         shelf.put(&format!("{stem}-events.csv"), Word::EventTable, &csv::write_events(data, csv::Dialect::Plain, language))?;
     }
+    for (name, table) in &results.beside {
+        shelf.put(&format!("{stem}-{name}.csv"), Word::Table, &csv::write(table, csv::Dialect::Plain))?;
+    }
     if language == Language::Ru {
         shelf.put(&format!("{stem}-excel.csv"), Word::TableRu, &csv::write(data, csv::Dialect::Ru))?;
     }

@@ -34,6 +34,7 @@ examples![
     "duffing",
     "five-bar",
     "four-bar",
+    "friction-onset",
     "froude-pendulum",
     "gyroscopic-rotor",
     "impact-oscillator",

@@ -1,7 +1,7 @@
 //! The library behind the command `strutt`: files, folders of results, findings as text, examples. What a file may ask and the street from a model to
 //! a written calculation stand in [`studies`]. It knows no physics.
 //!
-//! Rooms, in order of reading: [`source`], [`files`], [`shelf`], [`rows`], [`folder`], [`pdf`], [`system`] (files and the machine that it runs on) - [`diagnostics`], [`mod@explain`],
+//! Rooms, in order of reading: [`source`], [`files`], [`shelf`], [`rows`], [`columns`], [`folder`], [`pdf`], [`system`] (files and the machine that it runs on) - [`diagnostics`], [`mod@explain`],
 //! [`wording`] - `letters`, [`variants`], [`class`] - [`gallery`], [`showcase`], [`film`], [`chain`]. The program: `main`, `args`, `line`, `localize`, `console`, `quantities`, `commands`.
 //!
 //! ```
@@ -16,6 +16,7 @@
 
 pub mod chain;
 pub mod class;
+pub mod columns;
 pub mod diagnostics;
 pub mod explain;
 pub mod files;

@@ -7,6 +7,7 @@ use mechanics::asked::observed::{listed, observed};
 use mechanics::asked::{Asked, Key, Like, Named, Takes, Value, Way};
 use mechanics::units::{Dimension, parse_unit};
 use std::path::PathBuf;
+use strutt::columns;
 use studies::pipeline::Machine;
 use studies::{Extra, STUDIES, Study, TABLE};
 use studies::{Failure, plan};
@@ -195,17 +196,24 @@ impl<'a> Line<'a> {
     }
 
     /// The study that the command line writes behind the file, when it begins one: so its formulas are read and checked as those of the file are.
-    pub fn written(&self) -> Option<String> {
+    ///
+    /// # Errors
+    /// Values that a table should have are not there (C077).
+    pub fn written(&self) -> Result<Option<String>, Failure> {
         let given = self.given();
         let way = |key: &Key| key.option.map(|line| line.way);
         if !given.iter().any(|key| way(key) == Some(Way::Begins)) {
-            return None;
+            return Ok(None);
         }
         let mut text = row("kind", self.study.kind().name);
         for key in given.into_iter().filter(|key| way(key) != Some(Way::Instead)) {
-            text += &written(key, &self.texts(key).unwrap_or_default());
+            let mut texts = self.texts(key).unwrap_or_default();
+            if matches!(key.takes, Takes::Ranges) {
+                texts = texts.iter().map(|text| columns::expanded(text)).collect::<Result<_, _>>()?;
+            }
+            text += &written(key, &texts);
         }
-        Some(text)
+        Ok(Some(text))
     }
 
     /// The values in place of those of the file; `of` is the study they are for, `fresh` whether the command line writes it itself.

@@ -1,4 +1,4 @@
-//! The file in which a sweep keeps its rows until it is finished.
+//! The file in which a study of many runs keeps its rows until it is finished.
 
 use crate::files;
 use std::fs::{self, File, OpenOptions};
@@ -9,8 +9,10 @@ use studies::failure::Misuse;
 use studies::watch::Keeper;
 use words::Notice;
 
-/// Its name.
-pub const NAME: &str = "sweep.rows";
+/// Its name in the folder of a study: `sweep.rows`, `map.rows`.
+pub fn name(study: &str) -> String {
+    format!("{study}.rows")
+}
 
 /// What becomes of rows of an earlier run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,9 +36,9 @@ impl Rows {
     ///
     /// # Errors
     /// There are rows of an earlier run, and nobody asked to go on with them (C074); another run writes there (C075); the disk refuses (C005).
-    pub fn open(folder: &Path, earlier: Earlier) -> Result<Rows, Failure> {
+    pub fn open(folder: &Path, study: &str, earlier: Earlier) -> Result<Rows, Failure> {
         fs::create_dir_all(folder).map_err(|error| files::refused(folder, &error))?;
-        let path = folder.join(NAME);
+        let path = folder.join(name(study));
         let refused = |error: &std::io::Error| files::refused(&path, error);
         let mut file =
             OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(|error| refused(&error))?;

@@ -5,7 +5,7 @@
 //! It knows no terminal, process, file or clock.
 //!
 //! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`], `letters` - [`results`], `provenance`, [`observable`] - [`machine`], [`frame`] - `keys`, [`plan`],
-//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], `connections`, [`scheme`], [`calculation`], [`document`],
+//! `section`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`map`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], `connections`, [`scheme`], [`calculation`], [`document`],
 //! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large
@@ -30,6 +30,7 @@ mod keys;
 pub mod kinematics;
 mod letters;
 pub mod machine;
+pub mod map;
 pub mod modes;
 pub mod observable;
 pub mod periodic;
@@ -88,6 +89,7 @@ pub static TABLE: &[&dyn Study] = &[
     &kinematics::Linkage,
     &cycle::Turn,
     &sweep::Sweeping,
+    &map::Plane,
     &threshold::Change,
     &modes::Natural,
     &statics::Statics,

@@ -1,6 +1,7 @@
 //! A single number of a result: read once from the text that users write, taken from any [`Results`].
 
 use crate::results::{Fact, Results};
+use analysis::dataset::Event;
 use analysis::reduce::{NAMES, Reduction, reduce, within};
 use mechanics::asked::observed::observed;
 use serde_json::Value;
@@ -14,6 +15,8 @@ pub enum Observable {
     Reduced(Reduced),
     /// `events`: how many there are.
     Events,
+    /// `events(hit)`: how many of a named event, or changes of a contact, a rope or a friction.
+    EventsOf(String),
     /// A number that the study names itself: `period`, `multipliers.1.abs`.
     Field(Field),
 }
@@ -73,6 +76,7 @@ impl Observable {
         Ok(match reduction {
             Some((_, reduction)) => vec![Observable::made(*reduction, found.of, found.window, text.to_owned())],
             None if text == "events" => vec![Observable::Events],
+            None if named(text).is_some() => named(text).into_iter().map(|name| Observable::EventsOf(name.to_owned())).collect(),
             None if is_output(text) => [Reduction::Max, Reduction::Min].map(|r| Observable::of_quantity(r, text)).into(),
             None => vec![Observable::field(text)],
         })
@@ -114,7 +118,7 @@ impl Observable {
     pub fn word(&self) -> &str {
         match self {
             Observable::Reduced(reduced) => name(reduced.reduction),
-            Observable::Events => "events",
+            Observable::Events | Observable::EventsOf(_) => "events",
             Observable::Field(field) => &field.text,
         }
     }
@@ -128,6 +132,10 @@ impl Observable {
             Observable::Reduced(reduced) => reduced.of(results),
             Observable::Field(field) => field.of(results).ok_or(Absent::Nothing),
             Observable::Events => Ok(results.data.events.len() as f64),
+            Observable::EventsOf(name) => {
+                let is = |event: &&Event| event.name == *name || event.contact.as_ref().is_some_and(|change| change.contact == *name);
+                Ok(results.data.events.iter().filter(is).count() as f64)
+            }
         }
     }
 }
@@ -149,6 +157,11 @@ impl Reduced {
             None => Err(Absent::Unfinished),
         }
     }
+}
+
+/// The name in `events(name)`.
+fn named(text: &str) -> Option<&str> {
+    text.strip_prefix("events(")?.strip_suffix(')').map(str::trim).filter(|name| !name.is_empty())
 }
 
 /// The name of what is made of a quantity.
@@ -195,6 +208,7 @@ impl fmt::Display for Observable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Observable::Reduced(reduced) => f.write_str(&reduced.text),
+            Observable::EventsOf(name) => write!(f, "events({name})"),
             _ => f.write_str(self.word()),
         }
     }
@@ -218,6 +232,7 @@ mod tests {
             "mean(phi)",
             "last(phi)",
             "events",
+            "events(hit)",
             "period",
             "multipliers.1.abs",
             "mean(phi', 20 s, 30 s)",

@@ -136,6 +136,7 @@ pub fn figure(section: &Section, language: Language) -> Figure {
         marks: vec![Mark::Point { x, y, label: "C".into() }],
         along: None,
         strip: Vec::new(),
+        field: None,
     }
 }
 

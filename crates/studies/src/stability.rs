@@ -14,7 +14,7 @@ mod single;
 mod walk;
 
 use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, turns_of_no_angle};
-use super::{Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
+use super::{Finds, Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
 use crate::Failure;
 use crate::machine::{self, Machine};
 use crate::results::finite::checked;
@@ -185,6 +185,9 @@ impl Study for Disturbances {
             Some(objection) => Err(asked::misused(objection)),
             None => Ok(asked),
         }
+    }
+    fn finds(&self) -> Finds {
+        Finds::Verdict
     }
     fn interrupts(&self) -> Interrupts {
         Interrupts::Kept

@@ -1,27 +1,29 @@
 //! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
 
-mod gathered;
-mod journal;
 mod rests;
 
 use super::keys::OWN_PLOT;
 use super::{Extra, Finds, Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
+use crate::repeat::course::Course;
+use crate::repeat::gathered::{Gathered, Row, partly_absent};
+use crate::repeat::journal::{self, Head};
 use crate::repeat::many::{self, Shared};
-use crate::repeat::{Asks, At, Repeated};
+use crate::repeat::{Asks, At, Repeated, regimes};
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use crate::{provenance, repeat};
 use analysis::Dataset;
 use analysis::dataset::{Column, Missing};
-use gathered::{Gathered, Row};
-use journal::Head;
 use mechanics::asked::{Asked, Key, Kind, Takes, Value as Taken, Way, Words};
 use mechanics::model::{Plot, SweepRange};
 use serde_json::{Value, json};
 use words::explain::{Explanation, plain};
 use words::{Notice, Text};
+
+/// What stands for the regime of the file.
+const REGIME: &str = "regime";
 
 /// A study repeated over values of parameters; SI.
 #[derive(Clone, Debug)]
@@ -68,22 +70,22 @@ pub static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of param
         )
         .required()
         .option(
-            "Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated",
-            "Значения параметра или начального условия: v=linspace(1 м/с, 3 м/с, 21), c=logspace(1 Н/м, 1 кН/м, 4), \"m=1 кг; 2 кг\"; ключ можно повторять",
+            "Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg, m=column(\"masses.csv\",\"m\"); may be repeated",
+            "Значения параметра или начального условия: v=linspace(1 м/с, 3 м/с, 21), c=logspace(1 Н/м, 1 кН/м, 4), \"m=1 кг; 2 кг\", m=column(\"masses.csv\",\"m\"); ключ можно повторять",
         )
         .way(Way::Begins),
         Key::new(
             "observe",
             Takes::Observed,
             (
-                "results noted for each value, or one: an output by its name (its greatest and least value); max(..), min(..), mean(..), amplitude(..), last(..) of an output, a coordinate, a rate or a formula of the motion, all but the last also between two instants, as mean(phi', 20 s, 30 s); events (their number); or a number of the repeated study by its path in JSON, as period or multipliers.0.abs",
-                "результаты, записываемые для каждого значения, или один: величина из [outputs] по имени (её наибольшее и наименьшее значения); max(..), min(..), mean(..), amplitude(..), last(..) от выходной величины, координаты, скорости или формулы движения, все, кроме последнего, и между двумя моментами, например mean(phi', 20 с, 30 с); events (число событий) или число повторяемого расчёта по его пути в JSON: period, multipliers.0.abs",
+                "results noted for each value, or one: an output by its name (its greatest and least value); max(..), min(..), mean(..), amplitude(..), last(..) of an output, a coordinate, a rate or a formula of the motion, all but the last also between two instants, as mean(phi', 20 s, 30 s); events (their number), events(NAME) (those of a named event, a contact, a rope or a friction); regime (that of the table [regimes], with the numbers of its conditions); or a number of the repeated study by its path in JSON, as period or multipliers.0.abs",
+                "результаты, записываемые для каждого значения, или один: величина из [outputs] по имени (её наибольшее и наименьшее значения); max(..), min(..), mean(..), amplitude(..), last(..) от выходной величины, координаты, скорости или формулы движения, все, кроме последнего, и между двумя моментами, например mean(phi', 20 с, 30 с); events (число событий), events(ИМЯ) (именованного события, контакта, нити или трения); regime (режим из таблицы [regimes] и числа, входящие в его условия) или число повторяемого расчёта по его пути в JSON: period, multipliers.0.abs",
             ),
             "[\"period\"]",
         )
         .option(
-            "What is noted: mean(x, 20 s, 30 s), max(x), min(x), amplitude(x), last(x), events, or a number of the study's JSON, whose lists count from 0: period, multipliers.1.abs",
-            "Что записывать: mean(x, 20 с, 30 с), max(x), min(x), amplitude(x), last(x), events либо число из JSON расчёта, где списки нумеруются с 0: period, multipliers.1.abs",
+            "What is noted: mean(x, 20 s, 30 s), max(x), min(x), amplitude(x), last(x), events, events(NAME), regime, or a number of the study's JSON, whose lists count from 0: period, multipliers.1.abs",
+            "Что записывать: mean(x, 20 с, 30 с), max(x), min(x), amplitude(x), last(x), events, events(ИМЯ), regime либо число из JSON расчёта, где списки нумеруются с 0: period, multipliers.1.abs",
         )
         .way(Way::Written),
         repeat::OF,
@@ -134,9 +136,9 @@ const EXPLANATIONS: &[Explanation] = &[
         "S148",
         ("rows of another sweep", "строки другой серии"),
         (
-            "A sweep with --out keeps its rows in the file sweep.rows of that folder until it is finished, and --resume goes on with them. They are those of the same model with the same \
+            "A sweep with --out keeps its rows in the file sweep.rows of that folder until it is finished (a map those in map.rows), and --resume goes on with them. They are those of the same model with the same \
              values, the same request and the same version of strutt; here something of that differs. Nothing was changed: repeat the command as it was, or choose another folder.",
-            "Серия с ключом --out до своего окончания хранит строки в файле sweep.rows этой папки, а --resume продолжает с них. Они относятся к той же модели с теми же значениями, тому же \
+            "Серия с ключом --out до своего окончания хранит строки в файле sweep.rows этой папки (карта — в map.rows), а --resume продолжает с них. Они относятся к той же модели с теми же значениями, тому же \
              заданию и той же версии strutt; здесь что-то из этого отличается. Ничего не изменено: повторите прежнюю команду или выберите другую папку.",
         ),
     ),
@@ -144,9 +146,9 @@ const EXPLANATIONS: &[Explanation] = &[
         "S149",
         ("damaged rows", "повреждённые строки"),
         (
-            "Each line of sweep.rows begins with a checksum. The last one may be torn where a run was killed, and is then computed again; any other that does not fit is damage of the file. \
+            "Each line of sweep.rows and map.rows begins with a checksum. The last one may be torn where a run was killed, and is then computed again; any other that does not fit is damage of the file. \
              Cut the file before the line that is named and resume, or begin in another folder.",
-            "Каждая строка файла sweep.rows начинается с контрольной суммы. Последняя может быть оборвана при снятии программы и вычисляется заново; любая другая, не сходящаяся с \
+            "Каждая строка файлов sweep.rows и map.rows начинается с контрольной суммы. Последняя может быть оборвана при снятии программы и вычисляется заново; любая другая, не сходящаяся с \
              суммой, означает повреждение файла. Обрежьте файл перед названной строкой и продолжите или начните в другой папке.",
         ),
     ),
@@ -213,39 +215,34 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Resu
 
 /// Runs row by row, then what is said of all of them, in the order of the page.
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
-    let asks = Asks { observe: &study.observe, of: study.of.as_deref(), inner: &study.inner };
+    let (observe, regimes) = observed(machine, &study.observe)?;
+    let asks = Asks { observe: &observe, of: study.of.as_deref(), inner: &study.inner };
     let repeated = Repeated::new(machine, asks)?;
     let (wanted, base) = (&repeated.noted, &repeated.base);
     let count: usize = study.over.iter().map(|range| range.values.len()).product();
     let mut data = Dataset { axis: (study.over.len() == 1).then_some(0), ..Dataset::default() };
-    let mut rows = Gathered::new(machine, &study.over, wanted);
+    let mut rows = Gathered::new(machine, &study.over, wanted).with_regimes(&regimes);
     let start = At::given(machine, &place(&study.over, 0));
     let (threads, spread) = (watch.threads.max(1), watch.spread);
     let shared = Shared { threads, block: many::block(&repeated, &start, count), interrupt: watch.interrupt, spread };
     let run = |at: &mut At, row: usize| Row::of(at, &repeated, place(&study.over, row), shared.interrupt);
     let shard = watch.shard.unwrap_or(journal::WHOLE);
-    let head = Head::new(same(machine, study, &repeated), [count, shared.block], shard, (rows.own, &rows.columns));
+    let head = Head::new(same(machine, study, &repeated), [count, shared.block], shard, (rows.own, &rows.columns)).with_regimes(regimes);
     let range = head.rows();
+    let mut course = Course::begin(watch, &head)?;
     let mut done = range.start;
-    if let Some(keeper) = &mut watch.keeper {
-        let (earlier, kept) = journal::earlier(keeper.lines(), &head)?;
-        keeper.cut(kept)?;
-        if kept == 0 {
-            keeper.add(&head.line())?;
-        }
-        done += earlier.len();
-        earlier.into_iter().for_each(|row| rows.take(wanted, row));
-    }
     while done < range.end {
-        let batch = done..(done + shared.batch()).min(range.end);
-        let (asked, found) = (batch.len(), many::rows(&start, batch, shared, &run));
-        if let Some(keeper) = &mut watch.keeper {
-            let lines: String = found.iter().zip(done..).map(|(row, place)| journal::line(place, row)).collect();
-            keeper.add(&lines)?;
-        }
+        // what an earlier run has done is taken at once
+        let batch = done..(done + course.left().max(shared.batch())).min(range.end);
+        let asked = batch.len();
+        let found = course.rows(watch, batch, &|places| many::rows(&start, places, shared, &run))?;
         done += found.len();
         let short = found.len() < asked;
         found.into_iter().for_each(|row| rows.take(wanted, row));
+        if machine.origin.studies.finds(base.kind) != Finds::Rest {
+            // nobody reads them
+            rows.stands.clear();
+        }
         if short {
             let (made, all) = (done - range.start, range.len());
             data.partial = true;
@@ -275,6 +272,18 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     Ok(data)
 }
 
+/// The numbers that are noted; `regime` stands for those that the conditions of the regimes ask for, and for their names.
+fn observed(machine: &Machine, observe: &[String]) -> Result<(Vec<String>, Vec<String>), Notice> {
+    let is_output = machine.equations.outputs.iter().any(|output| output.name == REGIME);
+    if is_output || !observe.iter().any(|text| text == REGIME) {
+        return Ok((observe.to_vec(), Vec::new()));
+    }
+    let mut list: Vec<String> = observe.iter().filter(|text| *text != REGIME).cloned().collect();
+    let needed = regimes::numbers(machine)?;
+    list.extend(needed.into_iter().filter(|text| !observe.contains(text)));
+    Ok((list, machine.model.regimes.iter().map(|regime| regime.name.clone()).collect()))
+}
+
 /// A column by itself.
 fn drawn(column: &Column) -> Plot {
     Plot { title: Text::default(), x: None, y: vec![column.quantity.name.clone()] }
@@ -299,13 +308,6 @@ fn named(machine: &Machine, study: &Sweep, base: &Asked, results: &mut Results) 
     (study.of.is_none() && several).then(|| Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")))
 }
 
-/// Columns with numbers at some values only, of which nothing has been said.
-fn partly_absent(columns: &[Column], said: &[(String, Text)]) -> Vec<(String, Text)> {
-    let absent = Text::new("the study has no such number at this value", "при этом значении такого числа в расчёте нет");
-    let partly = |c: &&Column| c.values.iter().any(|v| v.is_finite()) && said.iter().all(|(name, _)| *name != c.quantity.name);
-    columns.iter().filter(partly).map(|c| (c.quantity.name.clone(), absent.clone())).collect()
-}
-
 /// What makes the same rows: version, model with its values, what is asked.
 fn same(machine: &Machine, study: &Sweep, repeated: &Repeated) -> String {
     let asked = journal::checksum(&format!("{study:?} {:?}", repeated.base));
@@ -319,7 +321,7 @@ fn same(machine: &Machine, study: &Sweep, repeated: &Repeated) -> String {
 pub fn merged(parts: &[Vec<String>]) -> Result<(Dataset, Vec<String>), Notice> {
     let (head, lines) = journal::merged(parts)?;
     let (own, columns, noted) = journal::columns(&head);
-    let mut rows = Gathered::with(columns, own);
+    let mut rows = Gathered::with(columns, own).with_regimes(&head.regimes);
     let (found, _) = journal::earlier(&lines, &head)?;
     let count = found.len();
     found.into_iter().for_each(|row| rows.take(&noted, row));

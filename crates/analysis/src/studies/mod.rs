@@ -13,6 +13,7 @@ pub mod impedance;
 pub mod kinematics;
 pub mod least;
 pub mod limits;
+pub mod map;
 pub mod modes;
 pub mod periodic;
 pub mod poincare;

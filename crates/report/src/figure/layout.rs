@@ -1,5 +1,6 @@
 //! Where everything of a static figure stands: ranges, scales, margins. Pixels grow to the right and down.
 
+use super::field::{BAR, Key};
 use super::ticks::{self, Tick};
 use super::width::text_width;
 use super::{Axis, Figure, Kind, Mark, Title};
@@ -77,9 +78,10 @@ pub fn lay(figure: &Figure, title: Title, language: Language) -> Layout {
     let y_ticks = axis_ticks(&figure.y, y_range, if plane { 9 } else { 7 }, language);
     let left = 18.0 + y_ticks.iter().map(|t| text_width(&t.label, TEXT)).fold(24.0, f64::max);
     let (entries, rows) = legend_entries(figure, left, width, language);
+    let bar = if figure.field.as_ref().is_some_and(|field| matches!(field.key, Key::Scale(..))) { BAR } else { 0.0 };
     let legend = title.room();
     let top = legend + rows as f64 * LEGEND_ROW + 26.0;
-    let area = Area { left, right: width - 22.0, top, bottom: top + data_height };
+    let area = Area { left, right: width - 22.0 - bar, top, bottom: top + data_height };
     if figure.kind == (Kind::Plane { equal: true }) {
         equalize(&mut x_range, &mut y_range, (area.right - area.left) / data_height);
     }
@@ -115,6 +117,10 @@ pub enum Direction {
 pub fn range(figure: &Figure, direction: Direction) -> Option<(f64, f64)> {
     let of_x = direction == Direction::X;
     let axis = if of_x { &figure.x } else { &figure.y };
+    if let Some(field) = &figure.field {
+        let [low, high] = field.ends[usize::from(!of_x)].map(|v| v / axis.scale.size);
+        return (low < high).then_some((low, high));
+    }
     let values = figure.series.iter().flat_map(|s| if of_x { &s.x } else { &s.y });
     let marked = figure.marks.iter().filter_map(|m| match m {
         Mark::Point { x, y, .. } => Some(if of_x { x } else { y }),
@@ -161,13 +167,18 @@ fn equalize(x: &mut (f64, f64), y: &mut (f64, f64), aspect: f64) {
 
 /// Place of each legend entry, and the number of rows; a single curve needs no legend.
 fn legend_entries(figure: &Figure, left: f64, width: f64, language: Language) -> (Vec<(usize, f64)>, usize) {
-    if figure.series.len() < 2 {
+    let texts: Vec<String> = match &figure.field {
+        Some(field) => field.entries(language).into_iter().map(|(_, text)| text).collect(),
+        None if figure.series.len() < 2 => Vec::new(),
+        None => figure.series.iter().map(|series| legend_text(series, language)).collect(),
+    };
+    if texts.is_empty() {
         return (Vec::new(), 0);
     }
     let (mut row, mut at) = (0, left);
     let mut places = Vec::new();
-    for series in &figure.series {
-        let wide = 44.0 + text_width(&legend_text(series, language), TEXT) + 18.0;
+    for text in &texts {
+        let wide = 44.0 + text_width(text, TEXT) + 18.0;
         if at > left && at + wide > width {
             row += 1;
             at = left;

@@ -4,21 +4,24 @@
 //! ([`Kind::Plane`]: phase portraits, trajectories). [`svg::write`] draws it as a file, [`png::write`] rasterises that, and
 //! [`crate::page`] makes it interactive.
 
+mod axis;
 pub mod bands;
 pub mod decimate;
+pub mod field;
 mod layout;
 mod log_axis;
 pub mod png;
 mod series;
 pub mod svg;
 pub mod ticks;
+mod tiles;
 pub(crate) mod width;
 
+pub use axis::Axis;
+pub use field::Field;
 pub use series::{Mark, Pen, Series};
 
 use crate::rich::{Inline, Rich};
-use crate::symbol;
-use crate::unit::Scale;
 use crate::wording::Word;
 use analysis::Dataset;
 use analysis::dataset::Column;
@@ -46,6 +49,8 @@ pub struct Figure {
     pub along: Option<(Axis, Vec<f64>)>,
     /// What happened along x: shown as a strip under the curves.
     pub strip: Vec<Happening>,
+    /// What fills a plane behind its curves.
+    pub field: Option<Field>,
 }
 
 /// How x is meant.
@@ -79,19 +84,6 @@ impl Title {
     }
 }
 
-/// An axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
-    /// Names of the model shown as symbols, with commas between.
-    pub symbols: Vec<String>,
-    /// Unit of each symbol (ASCII label) when they are unlike; empty when `scale` holds for all.
-    pub units: Vec<String>,
-    /// Unit in which values are shown.
-    pub scale: Scale,
-    /// Logarithmic.
-    pub log: bool,
-}
-
 /// Something on the event strip: an instant (`to` equals `from`) or an interval, which is also shaded behind the curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Happening {
@@ -112,51 +104,6 @@ pub const DASHES: [&[f64]; 6] = [&[], &[8.0, 4.0], &[2.0, 3.0], &[10.0, 3.0, 2.0
 /// Colour and dash pattern of the i-th curve; after six the colours repeat with other dashes, 36 curves in all.
 pub fn style(i: usize) -> (&'static str, &'static [f64]) {
     (COLOURS[i % 6], DASHES[(i + i / 6) % 6])
-}
-
-impl Axis {
-    /// An axis for these columns: symbols, common unit, SI prefix after the largest value. Columns of unlike units share an axis
-    /// without prefix, each unit then stands behind its symbol.
-    pub fn of_columns(columns: &[&Column]) -> Axis {
-        let symbols = columns.iter().map(|c| c.quantity.symbol.clone()).collect();
-        let unit = columns.first().map_or("1", |c| c.quantity.unit.as_str());
-        if columns.iter().any(|c| c.quantity.unit != unit) {
-            let units = columns.iter().map(|c| c.quantity.unit.clone()).collect();
-            return Axis { symbols, units, scale: Scale::plain(""), log: false };
-        }
-        let largest = columns.iter().flat_map(|c| &c.values).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-        // the user's unit of display, where all have the same
-        let display = columns.first().and_then(|c| c.quantity.display.clone());
-        let common = display.filter(|d| columns.iter().all(|c| c.quantity.display.as_ref() == Some(d)));
-        let scale = common.map_or_else(|| Scale::of_column(unit, largest), |(label, size)| Scale { size, label });
-        Axis { symbols, units: Vec::new(), scale, log: false }
-    }
-
-    /// The axis as plain text: `φ′, рад/с`.
-    pub fn plain(&self, language: Language) -> String {
-        self.join(language, |name| symbol::plain(name, language))
-    }
-
-    /// The axis as HTML, symbols as MathML.
-    pub fn html(&self, language: Language) -> String {
-        self.join(language, |name| symbol::mathml(name, language))
-    }
-
-    /// Unit in print of the i-th symbol.
-    pub fn unit(&self, i: usize, language: Language) -> String {
-        self.units.get(i).map_or_else(|| self.scale.print(language), |label| crate::unit::print(label, language))
-    }
-
-    fn join(&self, language: Language, print: impl Fn(&str) -> String) -> String {
-        let with_unit =
-            |symbol: String, unit: String| if unit.is_empty() { symbol } else { format!("{symbol}, {}", crate::escape::markup(&unit)) };
-        if self.units.is_empty() {
-            let symbols: Vec<String> = self.symbols.iter().map(|s| print(s)).collect();
-            return with_unit(symbols.join(", "), self.scale.print(language));
-        }
-        let parts: Vec<String> = self.symbols.iter().enumerate().map(|(i, s)| with_unit(print(s), self.unit(i, language))).collect();
-        parts.join("; ")
-    }
 }
 
 impl Figure {
@@ -216,6 +163,7 @@ impl Figure {
             marks: Vec::new(),
             along: None,
             strip: Vec::new(),
+            field: None,
         })
     }
 }

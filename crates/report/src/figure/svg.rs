@@ -3,7 +3,9 @@
 //! Own writer instead of a plotting library: the library tried (kuva 0.6) has no event strip, no slanted symbols in axis labels, loses
 //! dash patterns in PNG and uses one clip name for all pictures, which breaks several pictures on one page.
 
+use super::field::Key;
 use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay};
+use super::tiles;
 use super::width::text_width;
 use super::{Axis, Figure, Kind, Mark, Pen, Title, decimate, style};
 use crate::escape::markup;
@@ -19,6 +21,7 @@ const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
 const STROKE: f64 = 1.6;
 const INK: &str = "#1a1a1a";
 const SOFT: &str = "#5a5a5a";
+const BOUNDARY: &str = "fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"1.6\" stroke-linejoin=\"round\"";
 const GRID: &str = "#e2e2e2";
 
 /// The figure as an SVG document; one with a caption beside it needs no title above.
@@ -46,6 +49,7 @@ pub fn write(figure: &Figure, title: Title, language: Language) -> String {
         draw.marks();
     }
     draw.strip();
+    draw.scale();
     draw.axis_labels();
     draw.out.push_str("</svg>\n");
     draw.out
@@ -74,6 +78,14 @@ impl Draw<'_> {
 
     fn legend(&mut self) {
         let entries = self.layout.entries.clone();
+        if let Some(field) = &self.figure.field {
+            for ((row, x), (tile, words)) in entries.into_iter().zip(field.entries(self.language)) {
+                let y = self.layout.legend + (row as f64 + 0.5) * LEGEND_ROW;
+                self.out.push_str(&tiles::swatch(field, tile, [x, y]));
+                let _ = writeln!(self.out, "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>", x + 42.0, y + 4.0, markup(&words));
+            }
+            return;
+        }
         for (i, ((row, x), series)) in entries.into_iter().zip(&self.figure.series).enumerate() {
             let y = self.layout.legend + (row as f64 + 0.5) * LEGEND_ROW;
             let _ = write!(self.out, "<path d=\"M{x:.1} {y:.1}h34\" {}/>", stroke(i));
@@ -139,6 +151,9 @@ impl Draw<'_> {
             a.right - a.left,
             a.bottom - a.top
         );
+        if let Some(field) = &self.figure.field {
+            self.out.push_str(&tiles::tiles(field, &self.layout.x, &self.layout.y));
+        }
         for (i, series) in self.figure.series.iter().enumerate() {
             let kept = match self.figure.kind {
                 // as wide as the stroke: finer ones cost time and show nothing
@@ -147,6 +162,8 @@ impl Draw<'_> {
             };
             let points = kept.into_iter().map(|i| (series.x[i], series.y[i]));
             let (path, look) = match series.pen {
+                // boundaries between tints are of no tint themselves
+                Pen::Line if self.figure.field.is_some() => (self.path(points), BOUNDARY.into()),
                 Pen::Line => (self.path(points), stroke(i)),
                 Pen::Dots => (self.dots(points), dotted(i)),
             };
@@ -254,6 +271,16 @@ impl Draw<'_> {
         self.out.push('\n');
     }
 
+    /// The bar of a filling by numbers, below what it shows.
+    fn scale(&mut self) {
+        let Some(Key::Scale(axis, ends)) = self.figure.field.as_ref().map(|field| &field.key) else { return };
+        let a = self.layout.area;
+        self.out.push_str(&tiles::bar((axis, *ends), a, self.language));
+        let _ = write!(self.out, "<text x=\"{:.1}\" y=\"{:.1}\">", a.right + 16.0, a.top - 10.0);
+        self.axis(axis);
+        self.out.push_str("</text>\n");
+    }
+
     fn axis_labels(&mut self) {
         let a = self.layout.area;
         let strip = if self.figure.strip.is_empty() { 0.0 } else { STRIP };
@@ -318,4 +345,10 @@ fn stroke(i: usize) -> String {
         let _ = write!(out, " stroke-dasharray=\"{}\"", pattern.join(" "));
     }
     out
+}
+
+/// Where the data of a figure stand in its picture: left, top, right, bottom, and the width and height of the picture, pixels.
+pub fn area(figure: &Figure, title: Title, language: Language) -> [f64; 6] {
+    let layout = lay(figure, title, language);
+    [layout.area.left, layout.area.top, layout.area.right, layout.area.bottom, layout.width, layout.height]
 }

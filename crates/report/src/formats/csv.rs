@@ -48,6 +48,10 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
         }
         push_cell(&mut out, &format!("{name} [{}]", column.quantity.unit), separator);
     }
+    for labels in &data.labels {
+        out.push(separator);
+        push_cell(&mut out, &labels.name, separator);
+    }
     // why a row has no numbers; in English, as names are
     if !data.reasons.is_empty() {
         out.push(separator);
@@ -62,6 +66,12 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
             }
             if let Some(&x) = column.values.get(i_row) {
                 push_number(&mut out, x, dialect);
+            }
+        }
+        for labels in &data.labels {
+            out.push(separator);
+            if let Some(word) = labels.rows.get(i_row).and_then(|k| labels.words.get(*k)) {
+                push_cell(&mut out, word, separator);
             }
         }
         if !data.reasons.is_empty() {

@@ -18,7 +18,7 @@
 
 use super::{Format, Holds, Tree};
 use analysis::Dataset;
-use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Stated};
+use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Labels, Stated};
 use serde_json::{Map, Value, json};
 use words::Language;
 
@@ -94,6 +94,11 @@ fn head(data: &Dataset, language: Language) -> Map<String, Value> {
     if !data.reasons.is_empty() {
         let one = |(row, words): &(usize, words::Text)| json!({"row": row, "what": language.text(words)});
         head.insert("reasons".into(), data.reasons.iter().map(one).collect());
+    }
+    if !data.labels.is_empty() {
+        let words = |labels: &Labels| labels.rows.iter().map(|k| json!(labels.words.get(*k))).collect::<Vec<_>>();
+        let labels = data.labels.iter().map(|labels| (labels.name.clone(), json!(words(labels))));
+        head.insert("labels".into(), Value::Object(labels.collect()));
     }
     let means: Map<String, Value> =
         data.overall.iter().filter(|o| o.mean().is_finite()).map(|o| (name(data, o.column).to_owned(), json!(o.mean()))).collect();

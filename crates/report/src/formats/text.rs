@@ -257,6 +257,9 @@ fn wrap(text: &str, width: usize) -> String {
 
 /// What a figure shows, in words and numbers: one line per series.
 pub fn figure_summary(figure: &Figure, language: Language) -> String {
+    if let Some(field) = &figure.field {
+        return field.summary(language);
+    }
     let mut out = String::new();
     for (i, series) in figure.series.iter().enumerate() {
         let finite = || series.y.iter().copied().filter(|y| y.is_finite()).map(|y| y / figure.y.scale.size);

@@ -30,7 +30,7 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let Ok(model) = args::Model::from_arg_matches(matches) else { return Ok(Exit::Failed) };
     let line = Line::new(study, matches);
     let out = matches.get_one::<PathBuf>("out").cloned();
-    let written = line.written();
+    let written = line.written()?;
     let fresh = written.is_some();
     // a page shows the written derivation
     let detail = if out.is_some() || console.page.is_some() { Detail::Steps } else { Detail::Equations };
@@ -45,7 +45,7 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let shard = if study.extras().contains(&Extra::Shard) { shard(matches)? } else { None };
     let keeps = study.extras().contains(&Extra::Resume);
     let earlier = if wants(Extra::Resume) { Earlier::Resumed } else { Earlier::Refused };
-    let mut rows = out.as_deref().filter(|_| keeps).map(|out| Rows::open(out, earlier)).transpose()?;
+    let mut rows = out.as_deref().filter(|_| keeps).map(|out| Rows::open(out, study.kind().name, earlier)).transpose()?;
     let results = console.watched(|watch| {
         watch.shard = shard;
 

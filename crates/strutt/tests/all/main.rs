@@ -13,6 +13,7 @@ mod hidden_reactions;
 mod interrupt;
 mod inverse;
 mod linear;
+mod maps;
 mod moving;
 mod mutations;
 mod pages;

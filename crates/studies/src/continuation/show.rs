@@ -110,6 +110,7 @@ impl Show for Shown {
                 marks: self.special.iter().enumerate().map(mark).collect(),
                 along: None,
                 strip: Vec::new(),
+                field: None,
             });
         }
         figures

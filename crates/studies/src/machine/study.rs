@@ -116,6 +116,8 @@ pub enum Finds {
     Shapes,
     /// Amplitudes of small motions over a frequency.
     Amplitudes,
+    /// Whether small disturbances grow: a verdict that needs no number.
+    Verdict,
 }
 
 /// What a command line says about a study.

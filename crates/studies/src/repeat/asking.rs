@@ -46,6 +46,10 @@ pub(super) fn observing(machine: &Machine, asked: &mut Asked, noted: &[Noted]) {
         asked.set("outputs", Taken::Words(everywhere.collect()));
         asked.unset("plot");
     }
+    if finds == Finds::Verdict {
+        // what goes along a parameter in the file is asked at each place here
+        ["parameter", "from", "to"].iter().for_each(|key| asked.unset(key));
+    }
     if finds == Finds::Motion {
         asked.unset("every");
         asked.set("at", Taken::Numbers(Vec::new()));

@@ -3,7 +3,7 @@
 use crate::machine::Machine;
 use crate::{Repeats, Studies};
 use analysis::Quantity;
-use mechanics::asked::{Asked, Key, Kind, Takes, Way};
+use mechanics::asked::{Asked, Key, Kind, Like, Takes, Way};
 
 /// The study that is repeated.
 pub const OF: Key = Key::new(
@@ -25,7 +25,10 @@ pub fn keys(all: &Studies, kind: &Kind) -> Vec<&'static Key> {
         let own = kind.key(key.name).is_some() || keys.iter().any(|k| k.name == key.name);
         // rows and columns are those that are observed; names of coordinates need the study in the file
         let idle = matches!(key.takes, Takes::Results | Takes::Moments | Takes::Step);
-        let usable = key.option.is_some() && !idle && !matches!(key.takes, Takes::Coordinate | Takes::RangeOf(_) | Takes::Section);
+        // what goes along a parameter itself is not repeated over others
+        let along = matches!(key.takes, Takes::Varied | Takes::Quantity(Like::Of("parameter"), _));
+        let usable =
+            key.option.is_some() && !idle && !along && !matches!(key.takes, Takes::Coordinate | Takes::RangeOf(_) | Takes::Section);
         if !own && usable {
             keys.push(key);
         }

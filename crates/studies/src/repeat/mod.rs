@@ -2,12 +2,17 @@
 
 mod asking;
 mod base;
+pub(crate) mod course;
+pub(crate) mod gathered;
+pub(crate) mod journal;
 mod keys;
 pub mod many;
 mod number;
 mod one;
 pub mod regimes;
 mod repeated;
+pub(crate) mod stands;
+mod verdict;
 mod wanted;
 
 pub use asking::Asks;

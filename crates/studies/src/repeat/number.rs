@@ -80,8 +80,8 @@ pub(super) fn nothing_observed(of: &str) -> Notice {
 fn observable() -> Text {
     let of_columns = NAMES.iter().map(|(word, _)| format!("{word}(..)")).collect::<Vec<_>>().join(", ");
     Text::new(
-        format!("an output by its name or by {of_columns}; the number of `events`; a number of the study's JSON"),
-        format!("величина из [outputs] по имени или через {of_columns}; число событий `events`; число из JSON расчёта"),
+        format!("an output by its name or by {of_columns}; the number of `events`, or of `events(NAME)`; a number of the study's JSON"),
+        format!("величина из [outputs] по имени или через {of_columns}; число событий `events` или `events(ИМЯ)`; число из JSON расчёта"),
     )
 }
 

@@ -1,6 +1,8 @@
 //! The regime of a motion, by the conditions of the file.
 
+use super::wanted::Noted;
 use crate::machine::Machine;
+use analysis::Quantity;
 use words::Notice;
 
 /// The numbers that the conditions ask for, each once.
@@ -41,4 +43,13 @@ pub fn which(machine: &Machine, numbers: &[(String, f64)]) -> usize {
 /// The name of a regime by its number; none behind the last.
 pub fn name(machine: &Machine, which: usize) -> Option<&str> {
     machine.model.regimes.get(which).map(|regime| regime.name.as_str())
+}
+
+/// The regime of a study whose numbers are these; none where the file has no regimes, or one of their numbers is not noted or has no value.
+pub fn of(machine: &Machine, noted: &[Noted], found: &[(f64, Option<Quantity>)]) -> Option<usize> {
+    let numbers: Vec<(String, f64)> = noted.iter().zip(found).map(|((_, wanted), (value, _))| (wanted.to_string(), *value)).collect();
+    let known = |text: &String| numbers.iter().any(|(own, value)| own == text && value.is_finite());
+    let regimes = &machine.model.regimes;
+    (!regimes.is_empty() && regimes.iter().flat_map(|regime| &regime.numbers).all(|(text, _)| known(text)))
+        .then(|| which(machine, &numbers))
 }

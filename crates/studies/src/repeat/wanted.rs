@@ -1,6 +1,7 @@
 //! What is noted of a study that is repeated.
 
 use super::number::nothing_observed;
+use crate::Finds;
 use crate::machine::Machine;
 use crate::observable::{Observable, Reduced};
 use crate::periodic;
@@ -32,6 +33,11 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
                 Observable::Events => {
                     Quantity { label: Text::new("number of events", "число событий"), ..Quantity::new("events", "1") }
                 }
+                Observable::EventsOf(name) => {
+                    has_events(name, machine)?;
+                    let label = Text::new(format!("number of events of {name}"), format!("число событий: {name}"));
+                    Quantity { label, ..Quantity::new(&observable.to_string(), "1") }
+                }
                 Observable::Field(_) => Quantity::new(&observable.to_string(), "1"),
                 Observable::Reduced(Reduced { of, .. }) => {
                     quantity(&observable, outputs.iter().find(|o| o.name == *of).ok_or_else(|| unknown(of, machine))?)
@@ -40,6 +46,9 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
             found.push((described, observable));
         }
     }
+    if found.is_empty() && of.is_some_and(|of| machine.origin.studies.finds(of) == Finds::Verdict) {
+        return Ok(found);
+    }
     if let Some(of) = of.filter(|of| found.is_empty() && *of != periodic::KIND.name) {
         return Err(nothing_observed(of));
     }
@@ -47,6 +56,24 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
         found.push((Quantity::new("period", "1"), Observable::field("period")));
     }
     Ok(found)
+}
+
+/// Whether something of that name can change: a named event, a contact, a rope, a friction.
+fn has_events(name: &str, machine: &Machine) -> Result<(), Notice> {
+    let model = &machine.model;
+    let names = || {
+        let connections = model.connections.iter().map(|c| c.name.as_str());
+        model.events.iter().map(|event| event.name.as_str()).chain(connections).chain(model.elements.iter().map(|e| e.name.as_str()))
+    };
+    if names().any(|own| own == name) {
+        return Ok(());
+    }
+    let trouble = Notice::new("C008", format!("there is no event `{name}`"), format!("нет события `{name}`"));
+    Err(match words::nearest(name, names()) {
+        Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => trouble
+            .help("name an event of [events], a contact, a rope or a friction", "назовите событие из [events], контакт, нить или трение"),
+    })
 }
 
 fn unknown(name: &str, machine: &Machine) -> Notice {

@@ -118,6 +118,8 @@ pub struct Results {
     pub rows: Rows,
     /// What stands below the heading.
     pub body: Body,
+    /// Further tables, written beside the one of the columns, by name.
+    pub beside: Vec<(&'static str, Dataset)>,
     /// Fields of JSON besides the facts.
     pub own: Map<String, Value>,
     /// Plots.

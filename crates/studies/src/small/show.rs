@@ -523,6 +523,7 @@ fn nyquist(found: &ResponseFound, data: &Dataset, language: Language) -> Option<
         marks: Vec::new(),
         along: data.columns.first().map(|c| (Axis::of_columns(&[c]), c.values.clone())),
         strip: Vec::new(),
+        field: None,
     })
 }
 

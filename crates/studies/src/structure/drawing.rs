@@ -316,5 +316,6 @@ fn figure(name: &str, title: String, series: Vec<Series>) -> Figure {
         marks: Vec::new(),
         along: None,
         strip: Vec::new(),
+        field: None,
     }
 }

@@ -1,45 +1,16 @@
 //! Where places of rest change between neighbouring values of a sweep: other contacts are closed, another verdict, other places.
 
-use crate::machine::Machine;
+use crate::repeat::stands::{Stand, Stands, stands};
 use crate::repeat::{At, Repeated, one};
 use crate::watch::Watch;
+use analysis::Quantity;
 use analysis::studies::rest::changes::written;
-use analysis::studies::rest::contacts::SLACK;
-use analysis::{Dataset, Quantity};
-use symbolic::connections::Law;
 use words::Text;
 
 /// Changes that are located at most.
 const MOST: usize = 12;
 /// Halvings between two values.
 const HALVINGS: usize = 60;
-
-/// What is known of one place.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Stand {
-    /// Contacts that press.
-    pub(super) closed: Vec<String>,
-    /// 1 stable, 0 unstable, none undecided.
-    pub(super) stable: Option<bool>,
-}
-
-/// The places at one value; none where none was found.
-pub(super) type Stands = Option<Vec<Stand>>;
-
-/// How the places that were found stand.
-pub(super) fn stands(machine: &Machine, data: &Dataset) -> Stands {
-    let rows = data.columns.first().map_or(0, |c| c.values.len());
-    let value = |name: &str, row: usize| data.column(name).and_then(|c| c.values.get(row).copied()).filter(|v| v.is_finite());
-    let reactions = &machine.equations.reactions;
-    let one = |row: usize| {
-        let largest = reactions.iter().filter_map(|r| value(&r.name, row)).fold(0.0_f64, |m, v| m.max(v.abs()));
-        let presses = |name: &str| value(name, row).is_some_and(|v| v > SLACK * largest);
-        let contacts = reactions.iter().filter(|r| matches!(r.law, Law::Contact { .. }) && presses(&r.name));
-        let plain = |name: &str| name.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or(name).to_owned();
-        Stand { closed: contacts.map(|r| plain(&r.name)).collect(), stable: value("stable", row).map(|v| v != 0.0) }
-    };
-    (rows > 0).then(|| (0..rows).map(one).collect())
-}
 
 /// Remarks on what changes between neighbouring values of the only parameter of a sweep, located by halving.
 pub(super) fn remarks(at: &mut At, repeated: &Repeated, parameter: &Quantity, seen: &[(f64, Stands)]) -> Vec<(f64, Text)> {

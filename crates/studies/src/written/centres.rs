@@ -292,6 +292,7 @@ fn plan(work: &Work, bodies: &[Body]) -> Figure {
         marks,
         along: None,
         strip: Vec::new(),
+        field: None,
     }
 }
 

@@ -123,6 +123,7 @@ fn curve(work: &Work, (k, zeta): (f64, f64), working: Option<f64>) -> Figure {
         marks: point.into_iter().collect(),
         along: None,
         strip: Vec::new(),
+        field: None,
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::document::{Block, Content, Document, Download, Front, Rich};
 use crate::escape::{address, markup};
 use crate::figure::bands::{self, Bands};
-use crate::figure::{Figure, Title, svg};
+use crate::figure::{Field, Figure, Title, svg};
 use crate::formats::text::{figure_summary, verdict};
 use crate::formula::{Form, Formula};
 use crate::scheme::{Moving, Scheme};
@@ -215,6 +215,9 @@ impl Writer {
 
     /// The static picture, a place for the interactive one, caption, tools.
     fn figure(&mut self, figure: &Figure) {
+        if let Some(field) = &figure.field {
+            return self.field(figure, field);
+        }
         let i = self.live;
         self.live += 1;
         self.figures += 1;
@@ -231,6 +234,30 @@ impl Writer {
             self.rich(&figure.title),
             markup(&summary.join("; ")),
             word(Word::ShowData),
+        );
+        self.push(&html);
+    }
+
+    /// A filled plane: a picture in which a place can be clicked.
+    fn field(&mut self, figure: &Figure, field: &Field) {
+        self.figures += 1;
+        let n = self.figures;
+        let summary = figure_summary(figure, self.language);
+        let summary: Vec<&str> = summary.lines().map(str::trim).collect();
+        let pick = &field.pick;
+        let data = serde_json::json!({
+            "area": svg::area(figure, Title::Caption, self.language), "ends": field.ends, "names": pick.names, "units": pick.units,
+            "command": pick.command, "copied": self.language.word(Word::Copied),
+        });
+        let html = format!(
+            "<figure id=\"figure-{n}\" data-field=\"{}\">\n<div class=\"still\">{}</div>\n<figcaption>{}\u{a0}{n} – {}</figcaption>\n\
+             <p class=\"summary\">{}</p>\n<p class=\"pick\" hidden>{}</p>\n<output class=\"picked\" hidden></output>\n</figure>\n",
+            markup(&data.to_string()),
+            svg::write(figure, Title::Caption, self.language),
+            self.language.word(Word::Figure),
+            self.rich(&figure.title),
+            markup(&summary.join("; ")),
+            self.language.word(Word::PickHelp),
         );
         self.push(&html);
     }

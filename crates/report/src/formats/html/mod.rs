@@ -34,6 +34,7 @@ pub const FORMAT: Format = Format {
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 const MOVING_SCRIPT: &str = include_str!("moving.js");
+const FIELD_SCRIPT: &str = include_str!("field.js");
 const PLANE_SCRIPT: &str = include_str!("plane.js");
 const UPLOT: &str = include_str!("../../../assets/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../../assets/uplot/uPlot.min.css");
@@ -81,8 +82,20 @@ pub fn write(document: &Document, options: Options) -> String {
             "<script type=\"application/json\" id=\"strutt-moving\">{data}</script>\n<script>\n{MOVING_SCRIPT}\n</script>\n"
         ));
     }
+    if has_field(&document.blocks) {
+        out.push_str(&format!("<script>\n{FIELD_SCRIPT}\n</script>\n"));
+    }
     out.push_str("</body>\n</html>\n");
     out
+}
+
+/// Whether a place of some figure can be clicked.
+fn has_field(blocks: &[Block]) -> bool {
+    blocks.iter().any(|block| match block {
+        Block::Figure(figure) => figure.field.is_some(),
+        Block::Details { blocks, .. } => has_field(blocks),
+        _ => false,
+    })
 }
 
 fn header(document: &Document) -> String {
@@ -135,7 +148,7 @@ fn figures_of(blocks: &[Block]) -> Vec<&Figure> {
     let mut out = Vec::new();
     for block in blocks {
         match block {
-            Block::Figure(figure) => out.push(figure),
+            Block::Figure(figure) if figure.field.is_none() => out.push(figure),
             Block::Details { blocks, .. } => out.extend(figures_of(blocks)),
             _ => {}
         }

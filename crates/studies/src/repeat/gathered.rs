@@ -1,22 +1,33 @@
-//! The rows of a sweep, as they come.
+//! The rows of a study of many runs, as they come.
 
-use super::rests::{self, Stands};
+use super::keys::quantity;
+use super::number::number;
+use super::one::{At, one};
+use super::regimes;
+use super::repeated::Repeated;
+use super::stands::{self, Stands};
+use super::verdict::verdict;
+use super::wanted::Noted;
 use crate::machine::Machine;
-use crate::repeat::{self, At, Noted, Repeated, number, one};
-use crate::results::Results;
+use crate::results::{Fact, Results};
 use crate::watch::Watch;
-use analysis::dataset::{Audit, Column};
+use analysis::dataset::{Audit, Column, Labels};
 use analysis::{Dataset, Quantity};
 use mechanics::model::SweepRange;
 use std::sync::atomic::AtomicBool;
 use words::{Notice, Text};
 
+/// The regime of a row without a result.
+const NO_REGIME: usize = usize::MAX;
+/// Where the condition of no regime holds.
+const NONE: &str = "-";
+
 /// What the runs have given so far.
-pub(super) struct Gathered {
+pub(crate) struct Gathered {
     /// The values first, then what is wanted.
-    pub(super) columns: Vec<Column>,
+    pub(crate) columns: Vec<Column>,
     /// Number of columns of values.
-    pub(super) own: usize,
+    pub(crate) own: usize,
     failed: usize,
     /// The first of the troubles.
     first: Option<Notice>,
@@ -24,47 +35,59 @@ pub(super) struct Gathered {
     checked: usize,
     doubtful: Vec<(Vec<(String, f64)>, Audit)>,
     /// How places of rest stand, value by value.
-    pub(super) stands: Vec<(f64, Stands)>,
+    pub(crate) stands: Vec<(f64, Stands)>,
     /// How often the file was read again.
-    pub(super) anew: usize,
+    pub(crate) anew: usize,
     /// Rows without numbers, with the reason.
     reasons: Vec<(usize, Text)>,
+    /// The regime of each row; their number where there is none.
+    regimes: Vec<usize>,
+    /// Their names; empty where they are not noted.
+    names: Vec<String>,
 }
 
 /// What is kept of one run.
-pub(super) struct Row {
-    pub(super) values: Vec<(String, f64)>,
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) values: Vec<(String, f64)>,
     /// What is noted, with its quantity where the study says it itself.
-    pub(super) numbers: Result<Vec<(f64, Option<Quantity>)>, Notice>,
+    pub(crate) numbers: Result<Vec<(f64, Option<Quantity>)>, Notice>,
     /// The check that failed, where there were checks.
-    pub(super) audit: Option<Option<Audit>>,
-    pub(super) stands: Stands,
-    pub(super) anew: usize,
+    pub(crate) audit: Option<Option<Audit>>,
+    pub(crate) stands: Stands,
+    pub(crate) anew: usize,
+    /// The regime of the file by its number, where its numbers are noted.
+    pub(crate) regime: Option<usize>,
+    /// Whether what was found is stable, where the study says so.
+    pub(crate) stable: Option<bool>,
 }
 
 impl Row {
     /// The run at a place.
-    pub(super) fn of(at: &mut At, repeated: &Repeated, values: Vec<(String, f64)>, interrupt: Option<&AtomicBool>) -> Row {
+    pub(crate) fn of(at: &mut At, repeated: &Repeated, values: Vec<(String, f64)>, interrupt: Option<&AtomicBool>) -> Row {
         let before = at.anew;
         let outcome = one(at, repeated, &values, &mut Watch { interrupt, ..Watch::default() });
         let audits = outcome.as_ref().ok().map(|finding| &finding.data.audits).filter(|audits| !audits.is_empty());
         let audit = audits.map(|audits| audits.iter().find(|a| !a.ok).cloned());
-        let stands = outcome.as_ref().ok().and_then(|finding| rests::stands(&at.machine, &finding.data));
-        let numbers = outcome.and_then(|finding| repeated.noted.iter().map(|(_, wanted)| number(&finding, wanted)).collect());
-        Row { values, numbers, audit, stands, anew: at.anew - before }
+        let stands = outcome.as_ref().ok().and_then(|finding| stands::stands(&at.machine, &finding.data));
+        let stable = outcome.as_ref().ok().and_then(verdict);
+        let numbers: Result<Vec<_>, Notice> =
+            outcome.and_then(|finding| repeated.noted.iter().map(|(_, wanted)| number(&finding, wanted)).collect());
+        let regime = numbers.as_ref().ok().and_then(|found| regimes::of(&at.machine, &repeated.noted, found));
+        Row { values, numbers, audit, stands, anew: at.anew - before, regime, stable }
     }
 }
 
 impl Gathered {
-    pub(super) fn new(machine: &Machine, over: &[SweepRange], wanted: &[Noted]) -> Gathered {
+    pub(crate) fn new(machine: &Machine, over: &[SweepRange], wanted: &[Noted]) -> Gathered {
         let mut columns: Vec<Column> =
-            over.iter().map(|range| Column { quantity: repeat::quantity(machine, &range.name), values: Vec::new() }).collect();
+            over.iter().map(|range| Column { quantity: quantity(machine, &range.name), values: Vec::new() }).collect();
         columns.extend(wanted.iter().map(|(quantity, _)| Column { quantity: quantity.clone(), values: Vec::new() }));
         Gathered::with(columns, over.len())
     }
 
     /// With these columns, the first so many for the values.
-    pub(super) fn with(columns: Vec<Column>, own: usize) -> Gathered {
+    pub(crate) fn with(columns: Vec<Column>, own: usize) -> Gathered {
         Gathered {
             columns,
             own,
@@ -75,12 +98,23 @@ impl Gathered {
             stands: Vec::new(),
             anew: 0,
             reasons: Vec::new(),
+            regimes: Vec::new(),
+            names: Vec::new(),
         }
     }
 
+    /// Notes regimes by these names too.
+    pub(crate) fn with_regimes(mut self, names: &[String]) -> Gathered {
+        self.names = names.to_vec();
+        self
+    }
+
     /// The row of one run.
-    pub(super) fn take(&mut self, wanted: &[Noted], row: Row) {
-        let Row { values, numbers, audit, stands, anew } = row;
+    pub(crate) fn take(&mut self, wanted: &[Noted], row: Row) {
+        let Row { values, numbers, audit, stands, anew, regime, .. } = row;
+        if !self.names.is_empty() {
+            self.regimes.push(regime.unwrap_or(NO_REGIME));
+        }
         self.stands.push((values[0].1, stands));
         self.anew += anew;
         self.checked += usize::from(audit.is_some());
@@ -109,8 +143,30 @@ impl Gathered {
         }
     }
 
+    /// The column of regimes, and what share of the values each has.
+    fn tell_regimes(&mut self, data: &mut Dataset, results: &mut Results) {
+        if self.names.is_empty() {
+            return;
+        }
+        // a condition of none of them holds
+        let words: Vec<String> = self.names.iter().cloned().chain([NONE.to_owned()]).collect();
+        let all = self.regimes.len().max(1) as f64;
+        let mut shares = serde_json::Map::new();
+        for (k, name) in words.iter().enumerate() {
+            let share = self.regimes.iter().filter(|own| **own == k).count() as f64 / all;
+            if share > 0.0 {
+                let label = Text::new(format!("share of the values: {name}"), format!("доля значений: {name}"));
+                results.facts.push(Fact::new(&format!("share({name})"), &format!("s_{}", k + 1), "1", share, label));
+                shares.insert(name.clone(), serde_json::json!(share));
+            }
+        }
+        results.own.insert("shares".into(), serde_json::Value::Object(shares));
+        data.labels.push(Labels { name: "regime".into(), words, rows: std::mem::take(&mut self.regimes) });
+    }
+
     /// Checks and troubles of all runs; the columns that lack values for these.
-    pub(super) fn tell(&mut self, data: &mut Dataset, results: &mut Results, count: usize) -> Vec<(String, Text)> {
+    pub(crate) fn tell(&mut self, data: &mut Dataset, results: &mut Results, count: usize) -> Vec<(String, Text)> {
+        self.tell_regimes(data, results);
         if self.checked > 0 {
             data.audits.push(judged(self.doubtful.len()));
             data.notes.extend(self.doubtful.first().map(|(values, audit)| doubt(values, audit)));
@@ -131,6 +187,13 @@ impl Gathered {
         }
         without
     }
+}
+
+/// Columns with numbers at some values only, of which nothing has been said.
+pub(crate) fn partly_absent(columns: &[Column], said: &[(String, Text)]) -> Vec<(String, Text)> {
+    let absent = Text::new("the study has no such number at this value", "при этом значении такого числа в расчёте нет");
+    let partly = |c: &&Column| c.values.iter().any(|v| v.is_finite()) && said.iter().all(|(name, _)| *name != c.quantity.name);
+    columns.iter().filter(partly).map(|c| (c.quantity.name.clone(), absent.clone())).collect()
 }
 
 /// The checks of all runs.

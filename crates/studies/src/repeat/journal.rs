@@ -1,18 +1,18 @@
-//! Rows of a sweep as lines of a text, so that it goes on after a kill at any moment, and shards of it are put together.
+//! Rows of a study of many runs as lines of a text, so that it goes on after a kill at any moment, and shards of it are put together.
 //!
 //! The first line says of which sweep they are. Each line begins with the checksum of the rest: a last line that does not fit was being written when the process ended and is
 //! left out, any other is damage. Numbers stand as their bits.
 
 use super::gathered::Row;
-use super::rests::Stand;
-use crate::repeat::Noted;
+use super::stands::Stand;
+use super::wanted::Noted;
 use analysis::Quantity;
 use analysis::dataset::{Audit, Column};
 use serde_json::{Value, json};
 use words::{Notice, Text};
 
 /// A sweep that is not divided.
-pub(super) const WHOLE: [usize; 2] = [1, 1];
+pub(crate) const WHOLE: [usize; 2] = [1, 1];
 
 /// What the first line says.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,13 +25,20 @@ pub struct Head {
     pub shard: [usize; 2],
     /// Names and units of the columns; the first so many are the values.
     pub columns: (usize, Vec<[String; 2]>),
+    /// Names of the regimes, where they are noted.
+    pub regimes: Vec<String>,
 }
 
 impl Head {
     /// Of a sweep with these columns.
     pub fn new(same: String, count: [usize; 2], shard: [usize; 2], (own, columns): (usize, &[Column])) -> Head {
         let columns = columns.iter().map(|c| [c.quantity.name.clone(), c.quantity.unit.clone()]).collect();
-        Head { same, count, shard, columns: (own, columns) }
+        Head { same, count, shard, columns: (own, columns), regimes: Vec::new() }
+    }
+
+    /// With the names of regimes.
+    pub fn with_regimes(self, regimes: Vec<String>) -> Head {
+        Head { regimes, ..self }
     }
 
     /// The rows of its part: whole blocks, so that a part is the same as within the whole.
@@ -46,7 +53,9 @@ impl Head {
     /// As a line.
     pub fn line(&self) -> String {
         let (own, columns) = &self.columns;
-        summed(&json!({"same": self.same, "count": self.count, "shard": self.shard, "own": own, "columns": columns}))
+        summed(
+            &json!({"same": self.same, "count": self.count, "shard": self.shard, "own": own, "columns": columns, "regimes": self.regimes}),
+        )
     }
 
     /// From a line.
@@ -56,7 +65,9 @@ impl Head {
         let text = |v: &Value| v.as_str().map(str::to_owned);
         let column = |v: &Value| Some([text(v.get(0)?)?, text(v.get(1)?)?]);
         let columns = value.get("columns")?.as_array()?.iter().map(column).collect::<Option<Vec<_>>>()?;
+        let regimes = value.get("regimes")?.as_array()?.iter().map(text).collect::<Option<Vec<_>>>()?;
         let found = Head {
+            regimes,
             same: text(value.get("same")?)?,
             count: pair("count")?,
             shard: pair("shard")?,
@@ -79,7 +90,7 @@ fn unsummed(line: &str) -> Option<Value> {
 }
 
 /// FNV-1a.
-pub(super) fn checksum(text: &str) -> u64 {
+pub(crate) fn checksum(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
@@ -100,7 +111,7 @@ fn text(value: &Value) -> Option<Text> {
 }
 
 /// A row as a line.
-pub(super) fn line(place: usize, row: &Row) -> String {
+pub(crate) fn line(place: usize, row: &Row) -> String {
     let quantity = |q: &Quantity| json!([q.name, q.symbol, q.unit, both(&q.label)]);
     let numbers = match &row.numbers {
         Ok(list) => json!({"found": list.iter().map(|(v, q)| json!([bits(*v), q.as_ref().map(quantity)])).collect::<Vec<_>>()}),
@@ -113,12 +124,12 @@ pub(super) fn line(place: usize, row: &Row) -> String {
     let values: Vec<Value> = row.values.iter().map(|(name, value)| json!([name, bits(*value)])).collect();
     let checked = row.audit.is_some();
     summed(
-        &json!({"row": place, "values": values, "numbers": numbers, "checked": checked, "audit": audit.flatten(), "stands": stands, "anew": row.anew}),
+        &json!({"row": place, "values": values, "numbers": numbers, "checked": checked, "audit": audit.flatten(), "stands": stands, "anew": row.anew, "regime": row.regime, "stable": row.stable}),
     )
 }
 
 /// A row from a line, with its place.
-pub(super) fn row(line: &str) -> Option<(usize, Row)> {
+pub(crate) fn row(line: &str) -> Option<(usize, Row)> {
     let value = unsummed(line)?;
     let place = value.get("row")?.as_u64()? as usize;
     let pair = |v: &Value| Some((v.get(0)?.as_str()?.to_owned(), number(v.get(1)?)?));
@@ -148,7 +159,9 @@ pub(super) fn row(line: &str) -> Option<(usize, Row)> {
     };
     let audit = value.get("checked")?.as_bool()?.then_some(audit);
     let anew = value.get("anew")?.as_u64()? as usize;
-    Some((place, Row { values, numbers, audit, stands, anew }))
+    let regime = value.get("regime")?.as_u64().map(|n| n as usize);
+    let stable = value.get("stable")?.as_bool();
+    Some((place, Row { values, numbers, audit, stands, anew, regime, stable }))
 }
 
 fn found(value: &Value) -> Option<(f64, Option<Quantity>)> {
@@ -173,7 +186,7 @@ fn trouble(value: &Value) -> Option<Notice> {
 ///
 /// # Errors
 /// The lines are of another sweep (S148), or damaged (S149).
-pub(super) fn earlier(lines: &[String], head: &Head) -> Result<(Vec<Row>, usize), Notice> {
+pub(crate) fn earlier(lines: &[String], head: &Head) -> Result<(Vec<Row>, usize), Notice> {
     let Some(first) = lines.first() else { return Ok((Vec::new(), 0)) };
     let found = match Head::read(first) {
         Some(found) => found,
@@ -200,7 +213,7 @@ pub(super) fn earlier(lines: &[String], head: &Head) -> Result<(Vec<Row>, usize)
     Ok((rows, kept))
 }
 
-fn foreign() -> Notice {
+pub(crate) fn foreign() -> Notice {
     Notice::new("S148", "the rows that are kept there are of another sweep", "сохранённые там строки относятся к другой серии")
         .why(
             "the model, its values, what is asked, the shard or the version of strutt differs",
@@ -213,7 +226,7 @@ fn foreign() -> Notice {
 }
 
 /// A line that is neither whole nor the last.
-pub(super) fn damaged(line: usize) -> Notice {
+pub(crate) fn damaged(line: usize) -> Notice {
     Notice::new(
         "S149",
         format!("line {line} of the rows that are kept there is damaged"),
@@ -263,7 +276,7 @@ fn lacking(part: usize) -> Notice {
 }
 
 /// The table of finished rows.
-pub(super) fn columns(head: &Head) -> (usize, Vec<Column>, Vec<Noted>) {
+pub(crate) fn columns(head: &Head) -> (usize, Vec<Column>, Vec<Noted>) {
     let (own, names) = &head.columns;
     let quantity = |[name, unit]: &[String; 2]| Quantity::new(name, unit);
     let columns: Vec<Column> = names.iter().map(|c| Column { quantity: quantity(c), values: Vec::new() }).collect();

@@ -1,0 +1,124 @@
+//! The places of a map: the repeated study at each of them, on threads, kept and taken up again.
+
+use super::classes::{Classes, Judge};
+use crate::machine::Machine;
+use crate::provenance;
+use crate::repeat::course::Course;
+use crate::repeat::gathered::{Gathered, Row};
+use crate::repeat::journal::{self, Head};
+use crate::repeat::many::{self, Shared};
+use crate::repeat::{At, Repeated};
+use crate::watch::Watch;
+use analysis::studies::map::{Class, Grid, Place};
+use mechanics::asked::Asked;
+use mechanics::model::SweepRange;
+use words::{Notice, Text};
+
+/// Places that a thread takes at once.
+const BLOCK: usize = 4;
+/// Share of the coarse places that boundaries are expected to take besides, for the progress.
+const BESIDES: f64 = 1.0;
+
+/// Why a map ends early.
+#[derive(Debug)]
+pub(super) enum Stop {
+    Interrupted,
+    Trouble(Notice),
+}
+
+/// Places as they are computed.
+pub(super) struct Places<'a, 'w> {
+    pub(super) ranges: &'a [SweepRange; 2],
+    pub(super) repeated: &'a Repeated,
+    pub(super) classes: Classes,
+    /// Rows in the order of the places.
+    pub(super) rows: Vec<Row>,
+    start: At,
+    course: Course,
+    expected: f64,
+    watch: &'a mut Watch<'w>,
+}
+
+impl<'a, 'w> Places<'a, 'w> {
+    pub(super) fn new(
+        machine: &Machine,
+        (ranges, repeated): (&'a [SweepRange; 2], &'a Repeated),
+        (asked, grid, judge): (&Asked, Grid, Judge),
+        watch: &'a mut Watch<'w>,
+    ) -> Result<Places<'a, 'w>, Notice> {
+        let gathered = Gathered::new(machine, ranges, &repeated.noted);
+        let same = format!("{:?} {:?} {:?}", asked.values(), repeated.base, grid);
+        let same = format!("strutt {} model {} map {:016x}", provenance::VERSION, machine.model_hash, journal::checksum(&same));
+        let most = usize::try_from(grid.places()).unwrap_or(usize::MAX);
+        // how many places there will be nobody knows: more than ten times the lattice there are not
+        let head = Head::new(same, [most.saturating_mul(10), 1], journal::WHOLE, (gathered.own, &gathered.columns));
+        let start = At::given(machine, &values(ranges, [0.0, 0.0]));
+        let course = Course::begin(watch, &head)?;
+        let coarse = f64::from(grid.cells + 1) * f64::from(grid.cells + 1);
+        let expected = coarse * (1.0 + BESIDES);
+        Ok(Places { ranges, repeated, classes: Classes::new(judge), rows: Vec::new(), start, course, expected, watch })
+    }
+
+    /// How often the file was read again.
+    pub(super) fn anew(&self) -> usize {
+        self.start.anew + self.rows.iter().map(|row| row.anew).sum::<usize>()
+    }
+
+    /// The classes of places; of the first places also the groups of values that part them.
+    pub(super) fn find(&mut self, places: &[Place]) -> Result<Vec<Class>, Stop> {
+        let first = self.rows.len();
+        let shared =
+            Shared { threads: self.watch.threads.max(1), block: BLOCK, interrupt: self.watch.interrupt, spread: self.watch.spread };
+        let (ranges, repeated) = (self.ranges, self.repeated);
+        let run = |at: &mut At, row: usize| Row::of(at.forgetful(), repeated, values(ranges, places[row - first]), shared.interrupt);
+        let end = first + places.len();
+        while self.rows.len() < end {
+            let from = self.rows.len();
+            let batch = from..(from + self.course.left().max(shared.batch())).min(end);
+            let asked = batch.len();
+            let start = &self.start;
+            let found = self.course.rows(self.watch, batch, &|rows| many::rows(start, rows, shared, &run)).map_err(Stop::Trouble)?;
+            let short = found.len() < asked;
+            for (row, place) in found.iter().zip(&places[from - first..]) {
+                if row.values != values(ranges, *place) {
+                    return Err(Stop::Trouble(journal::foreign()));
+                }
+            }
+            self.rows.extend(found);
+            if short {
+                return Err(Stop::Interrupted);
+            }
+            if let Some(progress) = &mut self.watch.progress {
+                progress((self.rows.len() as f64 / self.expected.max(self.rows.len() as f64 + 1.0)).min(1.0));
+            }
+        }
+        if first == 0 && self.classes.judge == Judge::Gaps {
+            self.classes.group(&self.rows);
+        }
+        Ok(self.rows[first..].iter().map(|row| self.classes.of(row)).collect())
+    }
+}
+
+/// The values at shares of the ranges.
+pub(super) fn values(ranges: &[SweepRange; 2], place: Place) -> Vec<(String, f64)> {
+    ranges.iter().zip(place).map(|(range, share)| (range.name.clone(), value(range, share))).collect()
+}
+
+/// The value at a share of a range.
+pub(super) fn value(range: &SweepRange, share: f64) -> f64 {
+    let [from, to] = ends(range);
+    if share >= 1.0 { to } else { from + (to - from) * share }
+}
+
+/// Both ends of a range.
+pub(super) fn ends(range: &SweepRange) -> [f64; 2] {
+    [range.values.first().copied().unwrap_or_default(), range.values.last().copied().unwrap_or_default()]
+}
+
+/// The remark on a map that was interrupted.
+pub(super) fn interrupted(places: usize) -> Text {
+    Text::new(
+        format!("interrupted after {places} places: there is no map yet; --resume goes on"),
+        format!("прервано; вычислено точек: {places}. Карты ещё нет; продолжить можно ключом --resume"),
+    )
+}

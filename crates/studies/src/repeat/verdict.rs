@@ -1,0 +1,17 @@
+//! Whether what a repeated study found is stable.
+
+use crate::Results;
+use serde_json::Value;
+
+/// The verdict of a regime (`stable`), of small disturbances (`verdict`), or of the only place of rest; none where the study gives none, or cannot decide.
+pub(super) fn verdict(results: &Results) -> Option<bool> {
+    match (results.own.get("stable"), results.own.get("verdict").and_then(Value::as_str)) {
+        (Some(Value::Bool(stable)), _) => Some(*stable),
+        (_, Some("stable")) => Some(true),
+        (_, Some("unstable")) => Some(false),
+        _ => match results.data.column("stable").map(|column| column.values.as_slice()) {
+            Some([only]) if only.is_finite() => Some(*only != 0.0),
+            _ => None,
+        },
+    }
+}
