@@ -54,9 +54,9 @@ pub static KIND: Kind = Kind::new(
     .required()
     .option("What changes from left to right: \"m=2 g..60 g\"", "Что изменяется слева направо: \"m=2 г..60 г\"")
     .way(Way::Begins),
-    Key::new("y", Takes::Stretch, ("what changes upwards: name=from..to", "что изменяется снизу вверх: имя=от..до"), "\"k=5e-5 N m s..5e-4 N m s\"")
+    Key::new("y", Takes::Stretch, ("what changes upwards: name=from..to", "что изменяется снизу вверх: имя=от..до"), "\"b=10 N s/m..50 N s/m\"")
         .required()
-        .option("What changes upwards: \"k=5e-5 N m s..5e-4 N m s\"", "Что изменяется снизу вверх: \"k=5e-5 Н м с..5e-4 Н м с\"")
+        .option("What changes upwards: \"b=10 N s/m..50 N s/m\"", "Что изменяется снизу вверх: \"b=10 Н с/м..50 Н с/м\"")
         .way(Way::Begins),
     Key::new(
         "cells",
@@ -210,8 +210,8 @@ fn nothing_to_map() -> Failure {
     Notice::new("C033", "a map of what?", "карту чего строить?")
         .why("the file has no study `map`, and no --x was given", "в файле нет расчёта `map`, а ключ --x не задан")
         .help(
-            "add --x \"m=2 g..60 g\" --y \"k=5e-5 N m s..5e-4 N m s\" --observe \"mean(phi', 20 s, 30 s)\"",
-            "добавьте --x \"m=2 г..60 г\" --y \"k=5e-5 Н м с..5e-4 Н м с\" --observe \"mean(phi', 20 с, 30 с)\"",
+            "add --x \"m=2 g..60 g\" --y \"b=10 N s/m..50 N s/m\" --observe \"mean(phi', 20 s, 30 s)\"",
+            "добавьте --x \"m=2 г..60 г\" --y \"b=10 Н с/м..50 Н с/м\" --observe \"mean(phi', 20 с, 30 с)\"",
         )
         .misuse()
 }

@@ -86,6 +86,9 @@ fn rectangle([left, top, width, height]: Box4) -> String {
 
 /// Hatching over rectangles on one lattice of slanted lines: up to the right where something is unstable, both ways where there is no result.
 fn lines(places: &[Box4], hatch: Hatch) -> String {
+    if hatch == Hatch::Plain {
+        return String::new();
+    }
     let mut path = String::new();
     for [left, top, width, height] in places {
         let (right, bottom) = (left + width, top + height);

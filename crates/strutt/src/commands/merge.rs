@@ -9,8 +9,6 @@ use strutt::wording::Word;
 use studies::Failure;
 use words::Notice;
 
-/// The study whose parts these are.
-const SWEEP: &str = "sweep";
 /// Name of the table.
 const TABLE: &str = "sweep.csv";
 
@@ -18,14 +16,14 @@ const TABLE: &str = "sweep.csv";
 pub fn run(args: &Merge, console: &mut Console) -> Result<Exit, Failure> {
     let mut parts = Vec::new();
     for folder in &args.parts {
-        let path = folder.join(rows::name(SWEEP));
+        let path = folder.join(rows::name(studies::sweep::KIND.name));
         parts.push(rows::read(&path).map_err(|error| nothing(&path, &error))?);
     }
     let (data, lines) = studies::sweep::merged(&parts)?;
-    let inputs: Vec<_> = args.parts.iter().map(|folder| folder.join(rows::name(SWEEP))).collect();
+    let inputs: Vec<_> = args.parts.iter().map(|folder| folder.join(rows::name(studies::sweep::KIND.name))).collect();
     let mut shelf = Shelf::open(&args.out, &inputs)?;
     let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
-    shelf.put(&rows::name(SWEEP), Word::Table, text.as_bytes())?;
+    shelf.put(&rows::name(studies::sweep::KIND.name), Word::Table, text.as_bytes())?;
     shelf.put(TABLE, Word::Table, &(report::csv::NUMBERS.data)(&data))?;
     let paths = shelf.close()?;
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();

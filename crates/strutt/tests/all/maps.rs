@@ -160,6 +160,7 @@ fn boundaries_of_mathieus_equation_are_its_characteristic_values() {
     ];
     for (e, values) in known {
         for value in values {
+            // a place of the lattice, but for its rounding
             let nearest = points.iter().filter(|p| (p.1 - e).abs() < 1e-12).map(|p| (p.0 - value).abs()).fold(f64::INFINITY, f64::min);
             // half of 1e-7 of the range of 1.8
             assert!(nearest < 1e-7, "{e} {value}: off by {nearest}");

@@ -42,10 +42,10 @@ impl Classes {
     }
 
     /// Finds the groups of values of the coarse places.
-    pub(super) fn group(&mut self, rows: &[Row]) {
+    pub(super) fn group(&mut self, rows: &[Row], cells: u32) {
         let count = rows.iter().filter_map(|row| row.numbers.as_ref().ok()).map(Vec::len).max().unwrap_or(0);
         let values = |k: usize| rows.iter().filter_map(move |row| Some(row.numbers.as_ref().ok()?.get(k)?.0)).filter(|v| v.is_finite());
-        self.groups = (0..count).map(|k| Groups::of(values(k).collect())).collect();
+        self.groups = (0..count).map(|k| Groups::of(values(k).collect(), cells)).collect();
     }
 
     /// The class of a place.

@@ -16,8 +16,6 @@ use words::{Notice, Text};
 
 /// Places that a thread takes at once.
 const BLOCK: usize = 4;
-/// Share of the coarse places that boundaries are expected to take besides, for the progress.
-const BESIDES: f64 = 1.0;
 
 /// Why a map ends early.
 #[derive(Debug)]
@@ -35,7 +33,8 @@ pub(super) struct Places<'a, 'w> {
     pub(super) rows: Vec<Row>,
     start: At,
     course: Course,
-    expected: f64,
+    /// Coarse cells along a side.
+    cells: u32,
     watch: &'a mut Watch<'w>,
 }
 
@@ -54,9 +53,7 @@ impl<'a, 'w> Places<'a, 'w> {
         let head = Head::new(same, [most.saturating_mul(10), 1], journal::WHOLE, (gathered.own, &gathered.columns));
         let start = At::given(machine, &values(ranges, [0.0, 0.0]));
         let course = Course::begin(watch, &head)?;
-        let coarse = f64::from(grid.cells + 1) * f64::from(grid.cells + 1);
-        let expected = coarse * (1.0 + BESIDES);
-        Ok(Places { ranges, repeated, classes: Classes::new(judge), rows: Vec::new(), start, course, expected, watch })
+        Ok(Places { ranges, repeated, classes: Classes::new(judge), rows: Vec::new(), start, course, cells: grid.cells, watch })
     }
 
     /// How often the file was read again.
@@ -89,14 +86,21 @@ impl<'a, 'w> Places<'a, 'w> {
                 return Err(Stop::Interrupted);
             }
             if let Some(progress) = &mut self.watch.progress {
-                progress((self.rows.len() as f64 / self.expected.max(self.rows.len() as f64 + 1.0)).min(1.0));
+                progress(done(self.rows.len(), self.cells));
             }
         }
         if first == 0 && self.classes.judge == Judge::Gaps {
-            self.classes.group(&self.rows);
+            self.classes.group(&self.rows, self.cells);
         }
         Ok(self.rows[first..].iter().map(|row| self.classes.of(row)).collect())
     }
+}
+
+/// The share that is done: half of it is the coarse places; how many boundaries take besides nobody knows, the rest shrinks as they go on.
+fn done(places: usize, cells: u32) -> f64 {
+    let coarse = f64::from(cells + 1) * f64::from(cells + 1);
+    let ratio = places as f64 / coarse;
+    if ratio < 1.0 { 0.5 * ratio } else { 1.0 - 0.5 / ratio }
 }
 
 /// The values at shares of the ranges.

@@ -127,10 +127,12 @@ struct Told<'a> {
 impl Told<'_> {
     fn facts(&self, results: &mut Results) {
         let count = |name: &str, value: f64, en: &str, ru: &str| Fact::new(name, "N", "1", value, Text::new(en, ru));
-        let [computed, all] = [self.map.computed as f64, self.map.grid.places() as f64];
+        let [computed, nodes] = [self.map.computed as f64, self.map.nodes.len() as f64];
         results.facts.extend([
             count("computed", computed, "places that were computed", "вычислено точек"),
-            count("lattice", all, "places of the finest lattice", "точек самой мелкой сетки"),
+            count("nodes", nodes, "of them places of the lattice", "из них точек сетки"),
+            count("curves", self.map.lines.len() as f64, "curves of boundaries", "линий границ"),
+            count("lattice", self.map.grid.places() as f64, "places of the finest lattice", "точек самой мелкой сетки"),
         ]);
         for (class, share) in self.map.shares() {
             let name = &self.names[class];
@@ -155,19 +157,21 @@ impl Told<'_> {
         let (x, y, kind) = (size(0), size(1), repeated.base.kind);
         results.words.push(Text::new(
             format!(
-                "Computed: {} places of the study `{kind}`, of {} that the finest lattice has. Boundaries are closed in to {} of each range. What lies inside of one coarse cell ({} by {}) without \
+                "The study `{kind}` was carried out at {} of {} places of the finest lattice, and {} times between them to close in boundaries, to {} of each range. What lies inside of one coarse cell ({} by {}) without \
                  reaching its corners is not seen: more `cells` see smaller islands.",
-                self.map.computed,
+                self.map.nodes.len(),
                 grid.places(),
+                self.map.computed - self.map.nodes.len(),
                 words::digits::number(grid.accuracy).en,
                 x.en,
                 y.en
             ),
             format!(
-                "Вычислено точек расчёта `{kind}`: {} из {}, имеющихся у самой мелкой сетки. Границы уточнены до {} каждого промежутка. Область, лежащая внутри одной крупной ячейки ({} на {}) и не \
+                "Расчёт `{kind}` выполнен в точках самой мелкой сетки: {} из {}; между ними ещё {} раз, для уточнения границ, до {} каждого промежутка. Область, лежащая внутри одной крупной ячейки ({} на {}) и не \
                  доходящая до её вершин, не видна: меньшие острова видны при большем `cells`.",
-                self.map.computed,
+                self.map.nodes.len(),
                 grid.places(),
+                self.map.computed - self.map.nodes.len(),
                 words::digits::number(grid.accuracy).ru,
                 x.ru,
                 y.ru
@@ -180,8 +184,8 @@ impl Told<'_> {
         let grouped = self.classes.groups.iter().any(|groups| groups.count() > 1);
         if grouped {
             notes.push(Text::new(
-                "regimes are groups of values here, parted where neighbouring values of the coarse places are further apart than a tenth of their spread; [regimes] and --regimes decide it otherwise",
-                "режимы здесь — группы значений, разделённые там, где соседние значения в вершинах крупных ячеек отстоят больше чем на десятую часть их разброса; иначе это решают [regimes] и --regimes",
+                "regimes are groups of values here, parted where neighbouring values of the coarse places are further apart than a tenth of their spread and than three cells of a steady slope; [regimes] and --regimes decide it otherwise",
+                "режимы здесь — группы значений, разделённые там, где соседние значения в вершинах крупных ячеек отстоят больше чем на десятую часть их разброса и чем на три ячейки равномерного склона; иначе это решают [regimes] и --regimes",
             ));
         } else if self.classes.judge == Judge::Gaps && self.map.lines.is_empty() {
             notes.push(Text::new(
