@@ -1,6 +1,6 @@
 //! Maps: boundaries against closed forms, the same bytes for any number of threads and after a cut, places without a result, what cannot be mapped.
 
-use crate::common::{folder, gallery, stderr, strutt};
+use crate::common::{folder, gallery, strutt};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -55,7 +55,7 @@ fn a_boundary_lies_on_its_closed_form() {
     for (c, v, left, right) in &points {
         // 1e-7 of the longer range along an edge of either direction
         assert!((v - 0.25 * c.sqrt()).abs() < 1e-7 * 32.0 * 0.125 + 1e-7 * 1.5, "{c} {v}");
-        // larger rates lie on the left when c grows along the line
+        // one side each
         assert_eq!([left.as_str(), right.as_str()].iter().filter(|name| **name == "near").count(), 1);
     }
     // near is met first, at the lower left: it lies on the left of its boundary, which runs with falling c
@@ -64,8 +64,9 @@ fn a_boundary_lies_on_its_closed_form() {
     assert!(page.contains("data-field=") && page.contains("strutt simulate m.toml"));
     let table = fs::read_to_string(here.join("out/map.csv")).unwrap();
     assert!(table.lines().next().unwrap().ends_with(",regime"), "{}", table.lines().next().unwrap());
-    let count = table.lines().count() - 1;
-    assert!(count < 81 * 81 / 4, "{count} places");
+    // far fewer places of the lattice than it has
+    let data: serde_json::Value = serde_json::from_slice(&fs::read(here.join("out/map.json")).unwrap()).unwrap();
+    assert!(data["nodes"].as_f64().unwrap() < 81.0 * 81.0 / 4.0, "{}", data["nodes"]);
 }
 
 #[test]
@@ -85,9 +86,9 @@ fn a_map_is_the_same_for_any_number_of_threads_and_cut_anywhere() {
     };
     same("three");
     assert!(!here.join("whole/map.rows").exists());
-    // what a kill leaves is the beginning of the rows of a longer run that is stopped by a full study: made here of a run that is refused its picture
+    // a kill leaves the beginning of the rows
     let rows = kept(&here);
-    for length in (0..rows.len()).step_by(1 + rows.len() / 7).chain([rows.len() - 1]) {
+    for length in (0..rows.len()).step_by(1 + rows.len() / 3).chain([rows.len() - 1]) {
         let _ = fs::remove_dir_all(here.join("again"));
         fs::create_dir_all(here.join("again")).unwrap();
         fs::write(here.join("again/map.rows"), &rows[..length]).unwrap();
@@ -97,7 +98,7 @@ fn a_map_is_the_same_for_any_number_of_threads_and_cut_anywhere() {
     fs::create_dir_all(here.join("other")).unwrap();
     fs::write(here.join("other/map.rows"), &rows).unwrap();
     assert!(run("other", &["--resume", "--set", "far=0.3 m"]).1.contains("S148"));
-    assert!(run("other", &["--resume", "--cells", "5"]).1.contains("S148"));
+    assert!(run("other", &["--resume", "--accuracy", "1e-2"]).1.contains("S148"));
     assert_eq!(fs::read(here.join("other/map.rows")).unwrap(), rows);
 }
 
@@ -128,7 +129,8 @@ fn places_without_a_result_are_rows_with_their_reason_and_a_region_of_their_own(
     // a thousandth of the range of 32 N/m; the line of the level meets it in a place that is known to a finest cell
     let off = edge.iter().filter(|c| (**c - 5.0).abs() > 0.032).count();
     assert!(edge.len() > 20 && off <= 2, "{edge:?}");
-    assert!(fs::read_to_string(here.join("out/map-max_root_0_s_4_s.svg")).is_ok() || fs::read_dir(here.join("out")).unwrap().count() > 5);
+    let pictures = fs::read_dir(here.join("out")).unwrap().filter(|e| e.as_ref().unwrap().path().extension().is_some_and(|e| e == "svg"));
+    assert_eq!(pictures.count(), 1);
 }
 
 #[test]
@@ -148,7 +150,7 @@ fn boundaries_of_mathieus_equation_are_its_characteristic_values() {
         "--refine",
         "0",
         "--accuracy",
-        "1e-7",
+        "1e-5",
     ];
     strutt().current_dir(&here).args(["map", &gallery("mathieu")]).args(args).args(["--out", "out"]).assert().code(0);
     let points = boundaries(&here.join("out"));
@@ -162,8 +164,8 @@ fn boundaries_of_mathieus_equation_are_its_characteristic_values() {
         for value in values {
             // a place of the lattice, but for its rounding
             let nearest = points.iter().filter(|p| (p.1 - e).abs() < 1e-12).map(|p| (p.0 - value).abs()).fold(f64::INFINITY, f64::min);
-            // half of 1e-7 of the range of 1.8
-            assert!(nearest < 1e-7, "{e} {value}: off by {nearest}");
+            // half of 1e-5 of the range of 1.8
+            assert!(nearest < 1e-5, "{e} {value}: off by {nearest}");
         }
     }
     let picture = fs::read_to_string(here.join("out/map.svg")).unwrap();
@@ -173,7 +175,6 @@ fn boundaries_of_mathieus_equation_are_its_characteristic_values() {
 #[test]
 fn what_is_no_map_is_refused() {
     let here = here("no-map");
-    let said = |args: &[&str], code| stderr(strutt().current_dir(&here).args(["map", "m.toml"]).args(args), code);
     for (args, code) in [
         (&["--x", "c=4 N/m..36 N/m", "--y", "c=4 N/m..36 N/m", "--regimes"][..], "M379"),
         (&["--x", "c=4 N/m..36 N/m", "--y", "x'=0.5 m/s..2 m/s", "--regimes", "--cells", "2000"], "M379"),
@@ -184,7 +185,8 @@ fn what_is_no_map_is_refused() {
         (&["--x", "c=4 m..36 m", "--y", "x'=0.5 m/s..2 m/s", "--regimes"], "M024"),
         (&["--regimes"], "C033"),
     ] {
-        let text = said(args, 2);
-        assert!(text.contains(code), "{args:?}: {text}");
+        let done = strutt().current_dir(&here).args(["map", "m.toml"]).args(args).output().unwrap();
+        let text = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.code() != Some(0) && text.contains(code), "{args:?}: {text}");
     }
 }
