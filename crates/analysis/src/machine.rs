@@ -169,7 +169,7 @@ impl Machine {
         let observed = bound.evaluator(&bound.program().outputs)?;
         Ok(Machine {
             states: states(equations, program),
-            turning: (0..equations.coordinates.len()).map(|i| equations.turns_freely(i)).collect(),
+            turning: equations.free_turns(),
             outputs: outputs(equations),
             jets: bound.jets(1),
             tangent: None,
@@ -218,7 +218,7 @@ impl Machine {
     pub fn assembled(equations: &Equations, parameters: &[f64], guard_names: &dyn Fn(&Program) -> Vec<Text>) -> Result<Machine, Fault> {
         let conditions = connections::conditions(equations)?;
         let assembly = assemble_with(&conditions, equations, parameters)?;
-        let program = Arc::new(program::lower::equations_with(equations, &assembly.selection)?);
+        let program = connections::selected(equations, &assembly.selection, &conditions)?;
         let lowered = Lowered { conditions, selection: assembly.selection.clone(), names: guard_names(&program), program };
         Machine::from_parts(lowered, equations, parameters, assembly)
     }
@@ -232,7 +232,7 @@ impl Machine {
         let assembly = assemble_with(&lowered.conditions, equations, parameters)?;
         let mut lowered = Lowered::clone(lowered);
         if assembly.selection != lowered.selection {
-            lowered.program = Arc::new(program::lower::equations_with(equations, &assembly.selection)?);
+            lowered.program = connections::selected(equations, &assembly.selection, &lowered.conditions)?;
             lowered.names = guard_names(&lowered.program);
             lowered.selection = assembly.selection.clone();
         }
@@ -316,6 +316,11 @@ impl Machine {
         made
     }
 
+    /// A fault of the equations at a state, with the configuration where it is that of one.
+    fn told(&self, fault: program::Fault, x: &[f64]) -> Fault {
+        if fault.singular.is_some() { self.singular(fault.into(), x) } else { fault.into() }
+    }
+
     fn singular(&self, fault: Fault, x: &[f64]) -> Fault {
         let places = self.states.iter().zip(x).take(self.bound.program().coordinates);
         fault.in_configuration(&configuration(places))
@@ -349,7 +354,13 @@ impl System for Machine {
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
         self.expanded.set(modes, &self.bound);
         let expanded = self.jets.expand(t, x, &self.expanded.modes, order);
-        expanded.map_err(|fault| if fault.singular.is_some() { self.singular(fault.into(), x) } else { fault.into() })
+        expanded.map_err(|fault| self.told(fault, x))
+    }
+
+    fn extend(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
+        self.expanded.set(modes, &self.bound);
+        let extended = self.jets.extend(t, x, &self.expanded.modes, order);
+        extended.map_err(|fault| self.told(fault, x))
     }
 
     fn faithful(&mut self, h: f64, tolerance: f64) -> f64 {
@@ -664,11 +675,11 @@ impl System for Machine {
     }
 
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
-        let t = if self.bound.program().steps { self.side_of(t, x, modes) } else { t };
-        match &mut self.conditions {
-            Some(conditions) => conditions.project(t, x, modes),
-            None => Ok(0.0),
+        if self.conditions.is_none() {
+            return Ok(0.0);
         }
+        let t = if self.bound.program().steps { self.side_of(t, x, modes) } else { t };
+        self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.project(t, x, modes))
     }
 
     fn margin(&mut self, t: f64, x: &[f64]) -> Option<f64> {

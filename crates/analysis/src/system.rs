@@ -256,6 +256,13 @@ pub trait System {
     /// *Errors*: the equations are singular or undefined there.
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault>;
 
+    /// Continues the last [`System::expand`], which was made at the same point in the same modes, to a higher order.
+    ///
+    /// *Errors*: those of [`System::expand`].
+    fn extend(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
+        self.expand(t, x, modes, order)
+    }
+
     /// Jacobian ∂x'/∂x at (t, x) in the given modes, from [`System::slopes`]: row i holds the derivatives of x'_i. A system that gives none is
     /// integrated by Taylor series only.
     ///

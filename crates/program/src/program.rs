@@ -1,6 +1,6 @@
 //! A machine's equations as tapes, and the same with numbers for the parameters.
 
-use crate::{Construct, Evaluator, Fault, GuardOrigin, Mode, Point, Tape, passes};
+use crate::{Construct, Evaluator, Fault, GuardOrigin, Instruction, Mode, Operation, Point, Tape, passes};
 use std::ops::Range;
 use std::sync::Arc;
 use words::Text;
@@ -268,6 +268,22 @@ impl Bound {
     /// x' at a state, then the reactions of [`Program::solved`], by the interpreter.
     pub fn rates(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Result<&[f64], Fault> {
         self.dynamics.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() })
+    }
+    /// M at a state, row by row; none where the motion is not solved from a mass matrix alone, or has no value.
+    pub fn mass(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+        let n = self.program.coordinates;
+        self.dynamics.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() }).ok()?;
+        let solve = |i: &Instruction| matches!(&i.operation, Operation::Solve { right, .. } if right.len() == n);
+        let Operation::Solve { matrix, .. } = &self.dynamics.tape().body.iter().find(|i| solve(i))?.operation else { return None };
+        let mut mass = vec![0.0; n * n];
+        let mut packed = matrix.iter();
+        for i in 0..n {
+            for j in 0..=i {
+                let entry = packed.next()?.map_or(0.0, |register| self.dynamics.value(register));
+                (mass[i * n + j], mass[j * n + i]) = (entry, entry);
+            }
+        }
+        Some(mass)
     }
     /// The modes that the guard values at a state have. A guard that is not a number there (its branch is not active) is `Positive`.
     ///

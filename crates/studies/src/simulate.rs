@@ -83,6 +83,7 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
         interrupt: watch.interrupt,
         tolerance_halving: watch.halve_tolerance,
         check: watch.check,
+        kept: watch.kept,
         progress,
         ..Options::until(study.until)
     }

@@ -1,5 +1,6 @@
 //! What watches a long calculation from outside: a flag to stop it, listeners to its progress and to the ends of its phases. There is no clock here.
 
+pub use analysis::studies::simulate::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
 use words::{Notice, Text};
 
@@ -52,6 +53,8 @@ pub struct Watch<'a> {
     pub halve_tolerance: bool,
     /// Whether a motion is repeated with other steps to see which digits hold.
     pub check: bool,
+    /// What is kept of a motion beside its rows.
+    pub kept: Kept,
     /// Threads of a study of many runs; 0 counts as 1. The results do not depend on it.
     pub threads: usize,
     /// Runs a work on so many threads at once, until all have done with it.
@@ -77,6 +80,7 @@ impl Watch<'_> {
             ended: self.ended.as_mut().map(|e| &mut **e as &mut dyn FnMut(Lap)),
             halve_tolerance: self.halve_tolerance,
             check: self.check,
+            kept: self.kept,
             threads: self.threads,
             spread: self.spread,
             keeper,

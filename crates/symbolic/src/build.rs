@@ -475,6 +475,10 @@ fn sum_content(constant: &Rational, terms: &[(Expr, Rational)]) -> Rational {
 /// Greatest common divisor of two rationals, gcd(a/b, c/d) = gcd(ad, cb)/(bd).
 pub(crate) fn rational_gcd(a: &Rational, b: &Rational) -> Rational {
     let (mut a, mut b) = (a.abs(), b.abs());
+    // sums of many masses have factors of one
+    if a == b || a == Rational::ONE && b.is_integer() {
+        return a;
+    }
     while !b.is_zero() {
         let quotient = (&a / &b).floor();
         (a, b) = (b.clone(), &a - &(&quotient * &b));

@@ -4,8 +4,10 @@
 //! shared parts are stored and evaluated once. Nodes are immutable and only refer to older nodes: index order is a topological order.
 
 use crate::Rational;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+use std::borrow::Cow;
 use std::fmt;
+use std::hash::BuildHasher;
 
 /// Handle of an expression; meaningful with the graph that made it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -174,7 +176,10 @@ pub enum Edge {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: FxHashMap<Node, Expr>,
+    /// The youngest node of each hash. Nodes themselves are kept once: those of a large machine are most of its memory.
+    index: FxHashMap<u64, Expr>,
+    /// For each node the next older one with its hash.
+    older: Vec<Option<Expr>>,
     symbols: Vec<Symbol>,
     symbol_index: FxHashMap<Symbol, SymbolId>,
 }
@@ -207,13 +212,39 @@ impl Graph {
 
     /// Interns a node that is already canonical.
     pub(crate) fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&e) = self.index.get(&node) {
+        let hash = FxBuildHasher.hash_one(&node);
+        if let Some(e) = self.hashed(hash, &node) {
             return e;
         }
         let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2^32 expressions fit in memory"));
-        self.nodes.push(node.clone());
-        self.index.insert(node, e);
+        self.nodes.push(node);
+        self.older.push(self.index.insert(hash, e));
         e
+    }
+
+    /// The expression that a node is, if it has been built.
+    fn hashed(&self, hash: u64, node: &Node) -> Option<Expr> {
+        let mut at = self.index.get(&hash).copied();
+        while let Some(e) = at {
+            if self.node(e) == node {
+                return Some(e);
+            }
+            at = self.older[e.index()];
+        }
+        None
+    }
+
+    /// Zero, and the graph that has it: this one, unless zero was never built.
+    pub fn with_zero(&self) -> (Cow<'_, Graph>, Expr) {
+        let zero = Node::Number(Rational::ZERO);
+        match self.hashed(FxBuildHasher.hash_one(&zero), &zero) {
+            Some(zero) => (Cow::Borrowed(self), zero),
+            None => {
+                let mut own = self.clone();
+                let zero = own.zero();
+                (Cow::Owned(own), zero)
+            }
+        }
     }
 
     /// The symbol `name` with so many primes.

@@ -5,10 +5,10 @@ use crate::{Equations, Expr, Function, Graph, Node, Rational, SymbolId};
 use rustc_hash::FxHashSet;
 
 impl Equations {
-    /// Whether the motion is the same after this coordinate has grown by 2π: it occurs in sines and cosines of whole multiples only.
-    pub fn turns_freely(&self, coordinate: usize) -> bool {
-        let Some(c) = self.coordinates.get(coordinate) else { return false };
-        repeats(&self.graph, &self.dynamic_expressions(), c.symbols[0])
+    /// For each coordinate whether the motion is the same after it has grown by 2π: it occurs in sines and cosines of whole multiples only.
+    pub fn free_turns(&self) -> Vec<bool> {
+        let held = otherwise(&self.graph, &self.dynamic_expressions());
+        self.coordinates.iter().map(|c| !held.contains(&c.symbols[0])).collect()
     }
 
     /// Everything that the motion depends on.
@@ -45,8 +45,9 @@ impl Equations {
     }
 }
 
-/// Whether `symbol` occurs below `roots` in sines and cosines of whole multiples only.
-fn repeats(graph: &Graph, roots: &[Expr], symbol: SymbolId) -> bool {
+/// The symbols that occur below `roots` otherwise than in sines and cosines of whole multiples.
+fn otherwise(graph: &Graph, roots: &[Expr]) -> FxHashSet<SymbolId> {
+    let mut found = FxHashSet::default();
     let mut seen: FxHashSet<Expr> = FxHashSet::default();
     let mut pending: Vec<Expr> = roots.to_vec();
     while let Some(e) = pending.pop() {
@@ -55,30 +56,31 @@ fn repeats(graph: &Graph, roots: &[Expr], symbol: SymbolId) -> bool {
         }
         match graph.node(e) {
             Node::Number(_) | Node::Pi => {}
-            Node::Symbol(s) if *s == symbol => return false,
-            Node::Symbol(_) => {}
+            Node::Symbol(s) => {
+                found.insert(*s);
+            }
             Node::Sum { terms: pairs, .. } => pending.extend(pairs.iter().map(|p| p.0)),
             Node::Product { factors, .. } => pending.extend(factors.iter().map(|p| p.0)),
             Node::Power { base, exponent } => pending.extend([*base, *exponent]),
             Node::Call { function, arguments } => {
                 let turns = matches!(function, Function::Sin | Function::Cos);
                 match arguments.first() {
-                    Some(argument) if turns => pending.extend(beside(graph, *argument, symbol)),
+                    Some(argument) if turns => pending.extend(beside(graph, *argument)),
                     _ => pending.extend(arguments.iter().copied()),
                 }
             }
             Node::Switch { guard, then, otherwise, .. } => pending.extend([*guard, *then, *otherwise]),
         }
     }
-    true
+    found
 }
 
-/// The parts of an angle without whole multiples of the symbol.
-fn beside(graph: &Graph, angle: Expr, symbol: SymbolId) -> Vec<Expr> {
+/// The parts of an angle without whole multiples of symbols.
+fn beside(graph: &Graph, angle: Expr) -> Vec<Expr> {
     let whole = |e: Expr, factor: &Rational| match graph.node(e) {
-        Node::Symbol(s) => *s == symbol && factor.is_integer(),
+        Node::Symbol(_) => factor.is_integer(),
         Node::Product { coefficient, factors } => match &factors[..] {
-            [(base, power)] => graph.as_symbol(*base) == Some(symbol) && *power == Rational::ONE && (coefficient * factor).is_integer(),
+            [(base, power)] => graph.as_symbol(*base).is_some() && *power == Rational::ONE && (coefficient * factor).is_integer(),
             _ => false,
         },
         _ => false,
@@ -92,13 +94,14 @@ fn beside(graph: &Graph, angle: Expr, symbol: SymbolId) -> Vec<Expr> {
 
 #[cfg(test)]
 mod tests {
-    use super::repeats;
+    use super::otherwise;
     use crate::{Function, Graph, Rational};
 
     #[test]
     fn sines_of_whole_multiples_repeat_and_nothing_else() {
         let mut g = Graph::new();
         let (a, b) = (g.symbol_id("a", 0), g.symbol_id("b", 0));
+        let repeats = |g: &Graph, roots: &[_], symbol| !otherwise(g, roots).contains(&symbol);
         let (x, y) = (g.symbol(a), g.symbol(b));
         let half = g.number(Rational::HALF);
         let two = g.int(2);

@@ -61,8 +61,7 @@ impl BodyBalance {
             return;
         }
         let t = step.instant(step.beside_change_point(0.5 * step.length)).high;
-        step.state_at(t, &mut self.x);
-        step.rate_at(t, &mut self.rates);
+        step.motion_after(step.start.until(t), &mut self.x, &mut self.rates);
         let n = system.n_coordinates();
         let Some(rows) = system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes) else {
             self.known = false;

@@ -17,8 +17,8 @@ use algebra::lu::Lu;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Rounding of a rate, relative to the largest of its state so far.
 const ROUNDING: f64 = 1e-13;
-/// Defects from which on the terms of a rate are looked at.
-const SUSPECT: f64 = 1e-10;
+/// Share of the limit from which on the terms of a rate are looked at: what is less is no finding, with its rounding or without.
+const SUSPECT: f64 = 0.1;
 
 /// Collects the largest defect along a motion.
 #[derive(Clone, Debug, Default)]
@@ -27,6 +27,8 @@ pub struct InteriorDefect {
     found: Vec<Frontier>,
     steps: u64,
     known: bool,
+    /// Defects, relative to their scale, from which on the terms of a rate are looked at.
+    suspect: f64,
     x: Vec<f64>,
     slopes: Vec<f64>,
     rates: Vec<f64>,
@@ -38,10 +40,11 @@ pub struct InteriorDefect {
 
 impl InteriorDefect {
     /// For a system with this many states.
-    pub fn new(n_states: usize) -> InteriorDefect {
+    pub fn new(n_states: usize, tolerance: f64) -> InteriorDefect {
         let zeros = vec![0.0; n_states];
         InteriorDefect {
             known: true,
+            suspect: SUSPECT * super::limit(tolerance),
             found: vec![Frontier::default(); n_states],
             x: zeros.clone(),
             slopes: zeros.clone(),
@@ -55,24 +58,29 @@ impl InteriorDefect {
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;
         let t = step.instant(step.beside_change_point((self.steps as f64 * GOLDEN).fract() * step.length)).high;
-        step.state_at(t, &mut self.x);
-        step.rate_at(t, &mut self.slopes);
+        step.motion_after(step.start.until(t), &mut self.x, &mut self.slopes);
         if !self.known || !system.rates(t, &self.x, &step.modes, &mut self.rates) {
             self.known = false;
             return;
         }
         let n = system.n_coordinates();
         let meant = if step.implicit { self.meant(t, step, system) } else { None };
+        let mut roundings = None;
         for i in 0..self.x.len() {
-            let [size, rate] = &mut self.sizes[i];
-            *size = size.max(self.x[i].abs());
-            *rate = rate.max(self.rates[i].abs());
+            let [size, rate] = self.sizes[i];
+            let [size, rate] = [size.max(self.x[i].abs()), rate.max(self.rates[i].abs())];
+            self.sizes[i] = [size, rate];
             let off = step.length * (self.slopes[i] - self.rates[i]).abs();
-            let off = (meant.as_ref().map_or(off, |meant| meant[i].abs().min(off)) - ROUNDING * (step.length * *rate + *size)).max(0.0);
-            let scale = size.max(step.length * *rate);
+            let off = (meant.as_ref().map_or(off, |meant| meant[i].abs().min(off)) - ROUNDING * (step.length * rate + size)).max(0.0);
+            let scale = size.max(step.length * rate);
             // a rate that moves its coordinate by less than rounding within the step is none; a force that is left of larger ones has their rounding
             let unseen = if (n..2 * n).contains(&i) { self.sizes[i - n][0] / step.length } else { 0.0 };
-            let off = if off > SUSPECT * scale { (off - step.length * self.rounding(i, t, step, system)).max(0.0) } else { off };
+            let off = if off > self.suspect * scale {
+                let roundings = roundings.get_or_insert_with(|| self.roundings(t, step, system));
+                (off - step.length * roundings[i]).max(0.0)
+            } else {
+                off
+            };
             self.found[i].note(off, scale.max(FLOOR * unseen));
         }
         self.compare_alike(system);
@@ -88,23 +96,26 @@ impl InteriorDefect {
         Lu::new(&matrix, width).solve(&defect)
     }
 
-    /// Σ |∂x'_i/∂x_j x_j|: how large the terms are that meet in a rate.
-    fn terms<S: System + ?Sized>(&self, i: usize, t: f64, step: &Step, system: &mut S) -> f64 {
+    /// Σ |∂x'_i/∂x_j x_j|: how large the terms are that meet in each rate.
+    fn terms<S: System + ?Sized>(&self, t: f64, step: &Step, system: &mut S) -> Vec<f64> {
         let width = self.x.len();
         let mut jacobian = vec![0.0; width * width];
         match system.jacobian(t, &self.x, &step.modes, &mut jacobian) {
-            Ok(Jacobian::Given) => (0..width).map(|j| (jacobian[i * width + j] * self.x[j]).abs()).sum(),
-            _ => 0.0,
+            Ok(Jacobian::Given) => jacobian.chunks(width).map(|row| row.iter().zip(&self.x).map(|(d, x)| (d * x).abs()).sum()).collect(),
+            _ => vec![0.0; width],
         }
     }
 
-    /// What rounding can make of a rate: of the terms by states, and of all loads that meet in an acceleration.
-    fn rounding<S: System + ?Sized>(&mut self, i: usize, t: f64, step: &Step, system: &mut S) -> f64 {
-        let terms = ROUNDING * self.terms(i, t, step, system);
+    /// What rounding can make of each rate: of the terms by states, and of all loads that meet in an acceleration.
+    fn roundings<S: System + ?Sized>(&self, t: f64, step: &Step, system: &mut S) -> Vec<f64> {
+        let mut terms = self.terms(t, step, system);
+        terms.iter_mut().for_each(|term| *term *= ROUNDING);
         let n = system.n_coordinates();
-        let Some(coordinate) = i.checked_sub(n).filter(|k| *k < n) else { return terms };
         let loads = system.rounding_of_accelerations(t, &self.x, &step.modes);
-        loads.get(coordinate).copied().filter(|e| e.is_finite()).unwrap_or(0.0).max(terms)
+        for (term, load) in terms[n..].iter_mut().zip(loads.iter().take(n)) {
+            *term = if load.is_finite() { load.max(*term) } else { *term };
+        }
+        terms
     }
 
     /// States of one kind are known to the rounding of the largest of them: the far end of a chain moves by what is left of the rest.

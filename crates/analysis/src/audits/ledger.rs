@@ -43,6 +43,16 @@ struct Work {
     rest: f64,
 }
 
+/// Where a step has ended.
+#[derive(Clone, Debug, Default)]
+struct End {
+    t: f64,
+    x: Vec<f64>,
+    modes: Vec<Mode>,
+    /// T and Π there.
+    energies: [f64; 2],
+}
+
 /// Keeps the ledger.
 #[derive(Clone, Debug)]
 pub struct Ledger {
@@ -58,8 +68,8 @@ pub struct Ledger {
     rounding: f64,
     found: Frontier,
     steps: u64,
-    /// Time, state and modes at the end of the last step.
-    last: Option<(f64, Vec<f64>, Vec<Mode>)>,
+    /// The end of the last step.
+    last: Option<End>,
     impact: bool,
     tolerance: f64,
     x: Vec<f64>,
@@ -108,9 +118,27 @@ impl Ledger {
     }
 
     fn book<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, h: f64) -> Option<()> {
-        let before = self.energy(step, system, 0.0)?;
-        self.between(step, system, before)?;
+        step.state_after(0.0, &mut self.x);
+        let mut end = self.last.take();
+        let goes_on = |end: &&End| end.t == step.start.high && end.x == self.x && end.modes == step.modes;
+        let before = match end.as_ref().filter(goes_on) {
+            Some(end) => {
+                self.impact = false;
+                end.energies
+            }
+            None => {
+                let before = self.energy(step, system, 0.0)?;
+                self.between(step, system, end.as_ref(), before)?;
+                before
+            }
+        };
+        step.state_after(h, &mut self.x);
         let after = self.energy(step, system, h)?;
+        let last = end.get_or_insert_default();
+        (last.t, last.energies) = (step.instant(h).high, after);
+        last.x.clone_from(&self.x);
+        last.modes.clone_from(&step.modes);
+        self.last = end;
         let change = (after[0] - before[0]) + (after[1] - before[1]);
         let moved = (after[0] - before[0]).abs() + (after[1] - before[1]).abs();
         let work = self.work(step, system, h, [change, moved])?;
@@ -121,10 +149,6 @@ impl Ledger {
         self.add(change - work.net);
         self.owed += change - work.rest;
         self.steps += 1;
-        self.last = Some((step.instant(h).high, self.x.clone(), step.modes.clone()));
-        if let Some((_, x, _)) = &mut self.last {
-            step.state_after(h, x);
-        }
         Some(())
     }
 
@@ -154,18 +178,12 @@ impl Ledger {
         damping_alone(system, t, &self.x, &step.modes).max(FLOOR * loads)
     }
 
-    /// What happened since the end of the last step, where the energies were before.
-    fn between<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, now: [f64; 2]) -> Option<()> {
+    /// What happened since the end of the last step, where the state and the energies are those of the start of this one.
+    fn between<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, end: Option<&End>, now: [f64; 2]) -> Option<()> {
         let impact = std::mem::take(&mut self.impact);
-        let Some((t, x, modes)) = self.last.take() else { return Some(()) };
-        let mut start = vec![0.0; x.len()];
-        step.state_after(0.0, &mut start);
-        if start == x && modes == step.modes {
-            return Some(());
-        }
-        let before = system.energies(t, &x, &modes)?;
+        let Some(End { x, energies: before, .. }) = end.filter(|end| end.x != self.x || end.modes != step.modes) else { return Some(()) };
         // the same state under the new laws
-        let middle = system.energies(step.start.high, &x, &step.modes)?;
+        let middle = system.energies(step.start.high, x, &step.modes)?;
         let switched = (middle[0] - before[0]) + (middle[1] - before[1]);
         self.passed += switched.abs();
         let jump = (now[0] - middle[0]) + (now[1] - middle[1]);
@@ -185,9 +203,8 @@ impl Ledger {
         self.found.note(value, scale);
     }
 
-    /// T and Π; widens the scales.
+    /// T and Π of the state in hand; widens the scales.
     fn energy<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> Option<[f64; 2]> {
-        step.state_after(tau, &mut self.x);
         let [kinetic, potential] = system.energies(step.instant(tau).high, &self.x, &step.modes)?;
         let first = *self.potential.get_or_insert(potential);
         self.kinetic = self.kinetic.max(kinetic.abs());

@@ -64,8 +64,7 @@ impl PowerBalance {
             return;
         }
         let t = step.instant(step.beside_change_point(0.5 * step.length)).high;
-        step.state_at(t, &mut self.x);
-        step.rate_at(t, &mut self.rates);
+        step.motion_after(step.start.until(t), &mut self.x, &mut self.rates);
         let n = system.n_coordinates();
         let accelerations = &self.rates[n..2 * n];
         let Some(p) = system.powers(t, &self.x, accelerations, &step.modes) else {

@@ -28,7 +28,7 @@ use bench::Bench;
 
 pub(crate) use bench::listed;
 pub use guess::closed_guess;
-pub use lowered::conditions;
+pub use lowered::{conditions, selected};
 pub(crate) use piecewise::{is_bent, is_piecewise};
 pub use starts::settle_starts;
 

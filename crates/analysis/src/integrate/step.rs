@@ -4,6 +4,8 @@ use super::series::Series;
 use crate::{Mode, System};
 use algebra::sum::Instant;
 
+/// States whose polynomials are evaluated side by side: enough to hide that a product and a sum take some four cycles each.
+const ABREAST: usize = 4;
 /// Share of the surroundings of a change point in which no force follows from the equations.
 const IN_IT: f64 = 1e-3;
 /// Share of the way to a change point, on both its sides, on which forces have fewer digits than audits ask for.
@@ -110,9 +112,9 @@ impl Step {
 
     /// State at `tau` after the start of the step.
     pub fn state_after(&self, tau: f64, x: &mut [f64]) {
+        self.increments(tau, x);
         for (i, x_i) in x.iter_mut().enumerate() {
-            let c = self.states.row(i);
-            *x_i = self.whole(i, c[0], increment(c, tau));
+            *x_i = self.whole(i, self.states.row(i)[0], *x_i);
         }
     }
 
@@ -124,11 +126,51 @@ impl Step {
 
     /// State and its time derivative at `tau` after the start of the step, as [`Step::state_after`] and [`Step::rate_after`] give them.
     pub fn motion_after(&self, tau: f64, x: &mut [f64], rate: &mut [f64]) {
-        for (i, (x_i, r)) in x.iter_mut().zip(rate).enumerate() {
-            let c = self.states.row(i);
-            let (change, slope) = increment_and_slope(c, tau);
-            *x_i = self.whole(i, c[0], change);
-            *r = slope;
+        self.increments_and_slopes(tau, x, rate);
+        for (i, x_i) in x.iter_mut().enumerate() {
+            *x_i = self.whole(i, self.states.row(i)[0], *x_i);
+        }
+    }
+
+    /// [`increment`] of every state. Horner's rule waits for its last sum at each coefficient, so several states are worked through side by side.
+    fn increments(&self, tau: f64, into: &mut [f64]) {
+        let mut groups = into.chunks_exact_mut(ABREAST);
+        let mut i = 0;
+        for group in &mut groups {
+            let rows: [&[f64]; ABREAST] = std::array::from_fn(|lane| self.states.row(i + lane));
+            let mut sums = [0.0; ABREAST];
+            for k in (1..rows[0].len()).rev() {
+                for lane in 0..ABREAST {
+                    sums[lane] = sums[lane] * tau + rows[lane][k];
+                }
+            }
+            group.iter_mut().zip(sums).for_each(|(change, sum)| *change = sum * tau);
+            i += ABREAST;
+        }
+        for (k, change) in groups.into_remainder().iter_mut().enumerate() {
+            *change = increment(self.states.row(i + k), tau);
+        }
+    }
+
+    /// [`increment_and_slope`] of every state, side by side too.
+    pub(super) fn increments_and_slopes(&self, tau: f64, changes: &mut [f64], slopes: &mut [f64]) {
+        let mut i = 0;
+        while i + ABREAST <= changes.len() {
+            let rows: [&[f64]; ABREAST] = std::array::from_fn(|lane| self.states.row(i + lane));
+            let (mut values, mut rates) = ([0.0; ABREAST], [0.0; ABREAST]);
+            for k in (1..rows[0].len()).rev() {
+                for lane in 0..ABREAST {
+                    rates[lane] = rates[lane] * tau + values[lane];
+                    values[lane] = values[lane] * tau + rows[lane][k];
+                }
+            }
+            for lane in 0..ABREAST {
+                (changes[i + lane], slopes[i + lane]) = (values[lane] * tau, values[lane] + tau * rates[lane]);
+            }
+            i += ABREAST;
+        }
+        for i in i..changes.len() {
+            (changes[i], slopes[i]) = increment_and_slope(self.states.row(i), tau);
         }
     }
 

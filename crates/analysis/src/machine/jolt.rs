@@ -118,16 +118,20 @@ impl Machine {
             .collect()
     }
 
-    /// M, row by row.
+    /// M, row by row: that of the equations where they have one, else from T, which is quadratic in the rates.
     pub(super) fn mass(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
         let n = self.n_coordinates();
+        self.observing.set(modes, &self.bound);
+        if let Some(mass) = self.bound.mass(t, x, &self.observing.modes) {
+            return Some(mass);
+        }
         let rest = self.kinetic(t, x, modes, &[])?;
+        let alone = (0..n).map(|i| self.kinetic(t, x, modes, &[(i, 1.0)])).collect::<Option<Vec<f64>>>()?;
         let mut mass = vec![0.0; n * n];
         for i in 0..n {
             for j in 0..=i {
                 let both = self.kinetic(t, x, modes, &[(i, 1.0), (j, 1.0)])?;
-                let [one, other] = [self.kinetic(t, x, modes, &[(i, 1.0)])?, self.kinetic(t, x, modes, &[(j, 1.0)])?];
-                mass[i * n + j] = both - one - other + rest;
+                mass[i * n + j] = both - alone[i] - alone[j] + rest;
                 mass[j * n + i] = mass[i * n + j];
             }
         }

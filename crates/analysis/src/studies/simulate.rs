@@ -18,7 +18,7 @@ use words::Text;
 use words::limits::TOLERANCES;
 
 pub(super) use options::{EVENTS, check, choose, requested, untraced};
-pub use options::{Grid, Outcome, Simulate, parts};
+pub use options::{Grid, Kept, Outcome, Simulate, parts};
 
 /// Runs the machine from the state `start` at t = 0.
 ///
@@ -92,6 +92,7 @@ fn repeated<S: System + ?Sized>(
         interrupt: options.interrupt,
         memory: options.memory,
         method: options.method,
+        kept: Kept::Numbers,
         most_steps: options.most_steps,
         progress: options.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64)),
         ..Simulate::until(options.until)

@@ -74,7 +74,8 @@ impl Jets {
         self.choose_branches(modes);
         self.order = order;
         self.memory.at_zero.clear();
-        if self.advance(time, states) && !self.begins_at_zero(time) {
+        self.begin(time, states);
+        if self.advance(0) && !self.begins_at_zero(time) {
             return Ok(());
         }
         if self.keep_at_zero_with_slopes(time, states, modes) {
@@ -84,6 +85,27 @@ impl Jets {
         let fault = self.blame(time, states, modes);
         self.modes = None;
         Err(fault)
+    }
+
+    /// Continues the last expansion to a higher `order` with the coefficients it has. The result is that of [`Jets::expand`], bit for bit, which is called where there is
+    /// nothing to continue: another point, other modes, no room, a power that is kept constant at its zero.
+    ///
+    /// *Errors*: those of [`Jets::expand`].
+    pub fn extend(&mut self, time: f64, states: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
+        let (from, memory) = (self.order, &self.memory);
+        let is_here = states.len() == self.plan.states.len()
+            && memory.get(self.plan.time, 0).to_bits() == time.to_bits()
+            && self.plan.states.iter().zip(states).all(|(row, x)| memory.get(*row, 0).to_bits() == x.to_bits());
+        let goes_on = is_here && from > 0 && from <= order && order <= self.largest && memory.at_zero.is_empty();
+        if goes_on && self.modes.as_deref() == Some(modes) {
+            self.order = order;
+            if self.advance(from) && !self.begins_at_zero(time) {
+                return Ok(());
+            }
+            // what was left half done is no ground for sums that read beyond the order in hand
+            self.modes = None;
+        }
+        self.expand(time, states, modes, order)
     }
 
     fn make_room(&mut self, order: usize) {
@@ -159,7 +181,8 @@ impl Jets {
         }
         // products read beyond the order in hand: what the first attempt left there must not be nan
         self.memory.clear(&self.plan, modes);
-        if !self.advance(time, states) {
+        self.begin(time, states);
+        if !self.advance(0) {
             return false;
         }
         negative.iter().all(|n| self.order > 1 && self.is_near(n, time) || rounded(self, n))
@@ -212,16 +235,21 @@ impl Jets {
         self.modes = Some(modes.to_vec());
     }
 
-    /// Fills all rows; false when something is not finite or the mass matrix is singular.
-    fn advance(&mut self, time: f64, states: &[f64]) -> bool {
+    /// Takes the point to expand about.
+    fn begin(&mut self, time: f64, states: &[f64]) {
         let memory = &mut self.memory;
         memory.defect = None;
         memory.start(self.plan.time, time, 1.0);
         for (row, x) in self.plan.states.iter().zip(states) {
             memory.put(*row, 0, *x);
         }
+    }
+
+    /// Fills all rows from order `from` on, those of guards up to the order of the states; false when something is not finite or the mass matrix is singular.
+    fn advance(&mut self, from: usize) -> bool {
+        let memory = &mut self.memory;
         let mut sound = true;
-        for k in 0..self.order {
+        for k in from..self.order {
             if k == 0 {
                 self.live.iter().for_each(|step| memory.begin(step, &self.plan));
             } else {

@@ -10,6 +10,7 @@ use super::steps::steps;
 use crate::fault::POSITION;
 use crate::passes::select;
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::sync::Arc;
 use symbolic::connections::{Friction, Law};
@@ -222,8 +223,7 @@ fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, dynam
 
 /// Values and derivatives of all conditions, M, gaps, restitutions, forces: see [`crate::ConnectionRoots`].
 fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
+    let (graph, zero) = equations.graph.with_zero();
     let n = equations.coordinates.len();
     let conditions = || equations.conditions.iter();
     let name = |kind: &str, c: &symbolic::connections::Condition| format!("{kind} {}", c.name.en);
@@ -245,6 +245,9 @@ fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
 
 /// Laws of friction in an impact: see [`crate::LawRoots`].
 fn laws(equations: &Equations, balances: &[usize]) -> Result<Tape, Fault> {
+    if balances.is_empty() && frictions(equations).next().is_none() {
+        return nothing(equations, "laws");
+    }
     let mut graph = equations.graph.clone();
     let (zero, n) = (graph.zero(), equations.coordinates.len());
     let mut roots: Vec<(String, Expr)> = Vec::new();
@@ -280,8 +283,7 @@ pub(super) fn sparse(entries: &[(usize, Expr)], length: usize, zero: Expr) -> Ve
 
 /// Σ released, balances x reactions.
 fn balances(equations: &Equations) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
+    let (graph, zero) = equations.graph.with_zero();
     let mut roots = Vec::with_capacity(equations.balances.len() * equations.reactions.len());
     for (b, balance) in equations.balances.iter().enumerate() {
         for r in &equations.reactions {
@@ -302,9 +304,11 @@ fn energy(equations: &Equations, guards: &GuardTable) -> Result<Tape, Fault> {
     let e = &equations.energy;
     let formulas = [e.kinetic, e.potential, e.dissipation, e.dissipated, e.rate, e.loads, e.drives, e.through];
     let mut roots: Vec<(String, Expr)> = ENERGY.iter().map(|n| (*n).to_owned()).zip(formulas).collect();
-    let mut graph = equations.graph.clone();
+    // large machines without frictions are not copied
+    let mut graph = Cow::Borrowed(&equations.graph);
     for reaction in &equations.reactions {
         if let Law::Friction(friction) = &reaction.law {
+            let graph = graph.to_mut();
             let force = graph.symbol(reaction.symbol);
             roots.push((format!("taken by {}", reaction.name), graph.mul(force, friction.sliding)));
         }
@@ -335,8 +339,7 @@ fn second(equations: &Equations) -> Result<Tape, Fault> {
 }
 
 fn released(equations: &Equations) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
+    let (graph, zero) = equations.graph.with_zero();
     let list = equations.released.expressions(zero);
     let roots: Vec<(String, Expr)> = list.into_iter().enumerate().map(|(i, e)| (format!("released {}", i + 1), e)).collect();
     Lowering::new(&graph, &over_reactions(equations), Switches::Value).tape("released", &roots)

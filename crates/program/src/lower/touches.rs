@@ -6,6 +6,7 @@
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
 use super::inputs::over_reactions;
 use crate::{Fault, Tape, TouchRoots};
+use std::borrow::Cow;
 use symbolic::connections::{Condition, Friction, Law, Normal};
 use symbolic::{Equations, Expr, Graph};
 
@@ -14,14 +15,14 @@ const WIDTH: usize = TouchRoots::WIDTH;
 
 /// The tape over t, x, q'' and all reactions: [`TouchRoots::WIDTH`] roots for each contact and friction, in the order of the reactions.
 pub(super) fn touches(equations: &Equations, guards: &GuardTable) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
+    let mut graph = Cow::Borrowed(&equations.graph);
     let mut roots: Vec<(String, Expr)> = Vec::new();
     for reaction in &equations.reactions {
         let own = match &reaction.law {
             Law::Contact { condition, gap, restitution, .. } => {
-                contact(&mut graph, equations, (&equations.conditions[*condition], *gap, *restitution))
+                contact(graph.to_mut(), equations, (&equations.conditions[*condition], *gap, *restitution))
             }
-            Law::Friction(friction) => self::friction(&mut graph, equations, friction),
+            Law::Friction(friction) => self::friction(graph.to_mut(), equations, friction),
             _ => continue,
         };
         roots.extend(own.into_iter().map(|e| (format!("law of {}", reaction.name), e)));

@@ -245,6 +245,28 @@ fn series_of_a_chain_satisfies_its_equations() {
     }
 }
 
+/// Rates first, the rest when a step has been accepted: the same bits as in one go, whatever the buffer held, and another point is no continuation.
+#[test]
+fn continued_expansions_are_those_made_at_once() {
+    for n in [1, 2, 7] {
+        let bound = bind(&pendulum_chain(n));
+        let x: Vec<f64> = (0..2 * n).map(|i| (i as f64 * 1.7).sin()).collect();
+        let (mut whole, mut continued) = (bound.jets(16), bound.jets(16));
+        continued.expand(0.5, &vec![0.1; 2 * n], &[], 16).unwrap();
+        whole.expand(0.5, &x, &[], 16).unwrap();
+        for from in [1, 4, 16] {
+            continued.expand(0.5, &x, &[], from).unwrap();
+            continued.extend(0.5, &x, &[], 16).unwrap();
+            for i in 0..2 * n {
+                assert_eq!(whole.state(i), continued.state(i), "state {i} of {n} from order {from}");
+            }
+        }
+        continued.expand(0.5, &vec![0.2; 2 * n], &[], 1).unwrap();
+        continued.extend(0.5, &x, &[], 12).unwrap();
+        assert_eq!((continued.state(0), continued.order()), (&whole.state(0)[..13], 12));
+    }
+}
+
 /// A buffer that held a longer or a faulty expansion gives the same bits as a fresh one.
 #[test]
 fn expansions_do_not_depend_on_what_the_buffer_held() {

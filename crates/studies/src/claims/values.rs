@@ -7,7 +7,7 @@ use crate::machine::Machine;
 use crate::machine::study::of_file;
 use crate::small::asked::Modes;
 use crate::watch::Watch;
-use analysis::studies::simulate::{Grid, Simulate, simulate};
+use analysis::studies::simulate::{Grid, Kept, Simulate, simulate};
 use analysis::{Dataset, System};
 use mechanics::model::{ClaimDecl, ClaimInstant, ClaimKind};
 use words::Text;
@@ -49,7 +49,7 @@ fn motion(laid: &mut Laid, asked: &[(usize, f64)], verdicts: &mut [Verdict]) {
     let names: Vec<String> = asked.iter().map(|(i, _)| output_name(*i, 0)).collect();
     let times: Vec<f64> = asked.iter().map(|a| a.1).collect();
     let pushes = crate::plan::pushes(&laid.machine.model, &laid.machine.equations);
-    let options = Simulate { grid: Grid::At(times.clone()), outputs: Some(names), pushes, ..Simulate::until(until) };
+    let options = Simulate { grid: Grid::At(times.clone()), outputs: Some(names), pushes, kept: Kept::Numbers, ..Simulate::until(until) };
     let system = &mut laid.machine.system;
     let outcome = system.start().map(|start| simulate(system, &start, options));
     let outcome = match outcome {

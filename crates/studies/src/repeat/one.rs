@@ -5,7 +5,7 @@ use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
 use crate::periodic::{self, Periodic};
-use crate::watch::Watch;
+use crate::watch::{Kept, Watch};
 use crate::{Finds, Results};
 use mechanics::asked::Asked;
 use words::Notice;
@@ -56,7 +56,7 @@ pub fn one(at: &mut At, repeated: &Repeated, values: &[(String, f64)], watch: &m
     let mut own = base.has("wanted_period").then(|| machine.clone());
     let machine = own.as_mut().unwrap_or(machine);
     let study = (base.kind == periodic::KIND.name).then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
-    let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
+    let mut inner = Watch { interrupt: watch.interrupt, kept: Kept::Numbers, ..Watch::default() };
     if let (Some(study), Some(x)) = (&study, guess.as_ref()) {
         // the regime before is the better guess; when it leads nowhere, the file's start is tried
         let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);

@@ -3,7 +3,7 @@
 use crate::integrate::step;
 use words::Text;
 
-use super::flow::{Ending, Flow, expand_within_range};
+use super::flow::{Ending, Flow, extend_within_range};
 use crate::{Fault, System};
 use algebra::sum::Instant;
 
@@ -76,15 +76,25 @@ impl Defect {
 }
 
 impl<S: System + ?Sized> Flow<'_, S> {
-    /// Expansion at the next state in the old modes; of order 1 when the modes are about to change.
-    pub(super) fn probe(&mut self, at: Instant, ending: Ending) -> Result<(), Fault> {
+    /// Rates at the next state in the old modes: an expansion of order 1, which says how far the step is off. That of a step that is accepted is continued.
+    pub(super) fn probe(&mut self, at: Instant) -> Result<(), Fault> {
+        self.work.probes += 1;
+        self.system.expand(at.high, &self.next_x, &self.modes, 1)?;
+        self.check_series(at)
+    }
+
+    /// The expansion of the next step; of order 1 where the modes are about to change.
+    pub(super) fn complete(&mut self, at: Instant, ending: Ending) -> Result<(), Fault> {
         if ending == Ending::Event {
-            self.work.probes += 1;
-            self.system.expand(at.high, &self.next_x, &self.modes, 1)?;
-        } else {
-            self.work.expansions += 1;
-            expand_within_range(self.system, &mut self.rule, (at.high, &self.next_x), &self.modes)?;
+            return Ok(());
         }
+        self.work.probes -= 1;
+        self.work.expansions += 1;
+        extend_within_range(self.system, &mut self.rule, (at.high, &self.next_x), &self.modes)?;
+        self.check_series(at)
+    }
+
+    fn check_series(&self, at: Instant) -> Result<(), Fault> {
         match (0..self.x.len()).find(|&i| !self.system.state(i).iter().all(|c| c.is_finite())) {
             Some(i) => Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), at.high)),
             None => Ok(()),

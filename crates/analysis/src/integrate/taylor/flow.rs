@@ -95,15 +95,15 @@ pub(super) enum Ending {
     Plain,
 }
 
-/// Expansion at (t, x), of a lower order where coefficients overflow: those of a damping of 1e13 1/s do at order 25.
-pub(super) fn expand_within_range<S: System + ?Sized>(
+/// Expansion at (t, x), of a lower order where coefficients overflow: those of a damping of 1e13 1/s do at order 25. What the system has of it is continued.
+pub(super) fn extend_within_range<S: System + ?Sized>(
     system: &mut S,
     rule: &mut Rule,
     (t, x): (f64, &[f64]),
     modes: &[Mode],
 ) -> Result<(), Fault> {
     loop {
-        match system.expand(t, x, modes, rule.order) {
+        match system.extend(t, x, modes, rule.order) {
             Err(fault) if fault.is_overflow() && rule.lower() => {}
             outcome => return outcome,
         }

@@ -96,13 +96,17 @@ impl<S: System + ?Sized> Flow<'_, S> {
             }
         }
         let lands = if full && ending == Ending::Plain { Instant::at(target) } else { self.now.after(length) };
-        if self.correct(lands, length).and_then(|()| self.probe(lands, ending)).is_err() {
+        if self.correct(lands, length).and_then(|()| self.probe(lands)).is_err() {
             self.work.rejected += 1;
             return Ok(Landing::OutOfReach);
         }
         if self.removed > DRIFT.max(100.0 * self.rule.tolerance) {
             self.work.rejected += 1;
             return Ok(Landing::Drifts);
+        }
+        if self.complete(lands, ending).is_err() {
+            self.work.rejected += 1;
+            return Ok(Landing::OutOfReach);
         }
         (self.step.length, self.step.ends) = (length, lands);
         self.work.implicit_steps += 1;

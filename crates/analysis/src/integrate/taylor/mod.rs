@@ -6,8 +6,9 @@
 //! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly, and never
 //!    across what an operation does beyond its polynomial ([`System::faithful`]);
 //! 2. first sign change of a guard on the step shortens it;
-//! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
-//!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
+//! 3. new state; the rates there, compared with the derivative of the old polynomials, measure the defect of the step: a step that relied on accidental
+//!    zeros among the last coefficients is taken back and made shorter on the same series. The expansion that began with these rates is continued where the step
+//!    is accepted, and is the next step's;
 //! 4. at an event the modes are decided anew (`crate::integrate::events`).
 
 mod accept;
@@ -23,12 +24,12 @@ mod turns;
 
 use words::Text;
 
-use super::{Step, step};
+use super::Step;
 use crate::integrate::crossings::roots::RootFinder;
 use crate::{Fault, Mode, System, Tie};
 use accept::Defect;
 use algebra::sum::{Instant, two_sum};
-use flow::{Crowd, Ending, expand_within_range};
+use flow::{Crowd, Ending, extend_within_range};
 use implicit::Implicit;
 use length::Rule;
 use over::Passage;
@@ -168,7 +169,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             let full = full || there;
             // an event within rounding of the end is at the end: a step of one unit of the last place behind it would hold nothing but rounding
             let lands = if full && !event || there && target == end { Instant::at(target) } else { lands };
-            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands, ending)) };
+            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands)) };
             let passes = probe.is_ok() && (event || self.passes(length) != Some(false));
             if !passes && let Some(shorter) = self.give_up_passage() {
                 h = shorter?;
@@ -178,10 +179,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 h = self.take_back(h, 0.25, Some(fault))?;
             } else if self.passes(length).is_none() && !defect.accept(self.defect(length), length, self.rule.tolerance) {
                 h = self.take_back(h, 0.5, None)?;
+            } else if let Err(fault) = self.complete(lands, ending) {
+                h = self.take_back(h, 0.25, Some(fault))?;
             } else {
-                if !event && self.passes(length).is_some() && self.mark_wrong_sides() {
-                    self.refuse_switch_in_passage(Some(length))?;
-                }
                 self.rough = defect.stayed;
                 return self.accept(length, lands, ending);
             }
@@ -200,6 +200,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     /// A Taylor step of the length found is taken.
     fn accept(&mut self, length: f64, lands: Instant, ending: Ending) -> Result<(), Fault> {
+        if ending == Ending::Plain && self.passes(length).is_some() && self.mark_wrong_sides() {
+            self.refuse_switch_in_passage(Some(length))?;
+        }
         (self.step.length, self.step.ends) = (length, lands);
         self.note_passage(length);
         self.note_taylor_step(lands);
@@ -220,7 +223,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     pub(crate) fn expand_here(&mut self) -> Result<(), Fault> {
         self.work.expansions += 1;
-        expand_within_range(self.system, &mut self.rule, (self.now.high, &self.x), &self.modes)
+        extend_within_range(self.system, &mut self.rule, (self.now.high, &self.x), &self.modes)
     }
 
     fn take_expansion(&mut self) {
@@ -247,10 +250,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     /// Next state, and the slopes of the polynomials there.
     fn evaluate(&mut self, h: f64) {
+        self.step.increments_and_slopes(h, &mut self.next_x, &mut self.next_slope);
         for i in 0..self.x.len() {
-            let (change, slope) = step::increment_and_slope(self.step.states.row(i), h);
-            (self.next_x[i], self.next_low[i]) = two_sum(self.x[i], change + self.low[i]);
-            self.next_slope[i] = slope;
+            (self.next_x[i], self.next_low[i]) = two_sum(self.x[i], self.next_x[i] + self.low[i]);
         }
     }
 

@@ -53,7 +53,7 @@ pub struct Work {
     pub shortened: u64,
     /// Expansions of the full order.
     pub expansions: u64,
-    /// Expansions of order 1, for the defect of steps that end at an event.
+    /// Expansions that ended with order 1, the rates: for the defect of steps that are taken back or end at an event.
     pub probes: u64,
     /// Changes of mode and impacts.
     pub switches: u64,

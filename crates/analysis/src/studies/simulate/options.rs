@@ -26,6 +26,16 @@ pub enum Grid {
     Fitted,
 }
 
+/// What is kept of a motion beside its rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Kept {
+    /// Its way, for pictures.
+    #[default]
+    Way,
+    /// Nothing: only numbers are asked for.
+    Numbers,
+}
+
 /// Options of the study.
 pub struct Simulate<'a> {
     /// End of the run, s; it begins at 0.
@@ -60,6 +70,8 @@ pub struct Simulate<'a> {
     pub method: Method,
     /// Most steps: a run whose pace shows that it needs more is given up with a fault. Default 1e10.
     pub most_steps: f64,
+    /// What is kept beside the rows. Default: the way.
+    pub kept: Kept,
     /// Seed of the audits' random states.
     pub seed: u64,
 }
@@ -85,6 +97,7 @@ impl Simulate<'_> {
             memory: 1e9,
             method: Method::Auto,
             most_steps: 1e10,
+            kept: Kept::Way,
             seed: 1,
         }
     }

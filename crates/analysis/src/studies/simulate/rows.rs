@@ -21,7 +21,9 @@ impl Run {
     ) -> Result<(), Fault> {
         let steps = flow.work().steps;
         let (step, system) = flow.step_and_system();
-        self.trail.step(step, stop.unwrap_or(step.length));
+        if let Some(trail) = &mut self.trail {
+            trail.step(step, stop.unwrap_or(step.length));
+        }
         let Some(waiting) = &mut self.waiting else { return self.rows(system, (step, stop), options) };
         waiting.push(Waiting { step: step.clone(), stop });
         if settled(steps) { self.settle_rows(flow, options) } else { Ok(()) }

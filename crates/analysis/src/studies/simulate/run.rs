@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 use words::Text;
 
-use super::options::{EVENTS, Grid, Simulate, check, choose, requested, untraced};
+use super::options::{EVENTS, Grid, Kept, Simulate, check, choose, requested, untraced};
 use super::{rivals, trail};
 use crate::audits::blows::BlowLaws;
 use crate::audits::bodies::BodyBalance;
@@ -81,7 +81,8 @@ pub(super) struct Run {
     pub(super) pace: Pace,
     /// Steps whose rows wait until it is known how many there are to be.
     pub(super) waiting: Option<Vec<Waiting>>,
-    pub(super) trail: trail::Recorder,
+    /// None where nobody looks at the way.
+    pub(super) trail: Option<trail::Recorder>,
 }
 
 /// A step whose rows are still to be made, and where the motion ends inside it.
@@ -162,7 +163,7 @@ impl Run {
             power: PowerBalance::new(n_x),
             bodies: BodyBalance::new(n_x),
             released: ReleasedBalance::new(system),
-            defect: InteriorDefect::new(n_x),
+            defect: InteriorDefect::new(n_x, options.tolerance),
             impacts: ImpactEnergy::default(),
             ledger: Ledger::new(system, options.tolerance, &works),
             struck: vec![0.0; works.len()],
@@ -185,7 +186,7 @@ impl Run {
             interrupted: false,
             pace: Pace::default(),
             waiting: (options.grid == Grid::Fitted).then(Vec::new),
-            trail: trail::Recorder::new(system.states().iter().map(|q| q.name.clone()).collect()),
+            trail: (options.kept == Kept::Way).then(|| trail::Recorder::new(system.states().iter().map(|q| q.name.clone()).collect())),
             chosen,
         })
     }
@@ -414,7 +415,7 @@ impl Run {
         let audits = audits.into_iter().flatten().chain(self.released.audits(tolerance)).chain(laws).collect();
         let states = system.states().iter().map(|q| q.name.clone()).collect();
         let mut dataset = Dataset {
-            trail: self.trail.close(),
+            trail: self.trail.map(trail::Recorder::close).unwrap_or_default(),
             axis: Some(0),
             columns,
             audits,
@@ -459,7 +460,7 @@ fn counters(work: &Work, impacts: &ImpactEnergy) -> Vec<Counter> {
         row("rejected", "steps taken back", "шагов отвергнуто", work.rejected as f64),
         row("mean_order", "mean order", "средний порядок", work.mean_order()),
         row("highest_order", "highest order", "наибольший порядок", work.highest_order as f64),
-        row("evaluations", "Taylor expansions", "тейлоровских разложений", (work.expansions + work.probes) as f64),
+        row("evaluations", "Taylor expansions", "тейлоровских разложений", work.expansions as f64),
         row("events", "switches", "переключений", work.switches as f64),
     ];
     if work.implicit_steps > 0 {
