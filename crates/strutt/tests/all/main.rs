@@ -13,11 +13,8 @@ mod hidden_reactions;
 mod interrupt;
 mod inverse;
 mod linear;
-<<<<<<< HEAD
-mod maps;
-=======
 mod long_chains;
->>>>>>> 76b90286 (Rates first, the rest when a step is accepted; checks of long chains cost no more than their motion)
+mod maps;
 mod moving;
 mod mutations;
 mod pages;
