@@ -33,13 +33,15 @@ pub static PERIODIC: fn(&mut Machine, &[f64], &Periodic<'_>) -> periodic::Outcom
 /// Section points.
 pub static POINCARE: fn(&mut Machine, &[f64], Poincare<'_>) -> Outcome = poincare::<Machine>;
 /// What becomes of disturbances in the long run, and how many directions they have.
-pub static LYAPUNOV: fn(&mut Machine, &[f64], &Options<'_>) -> Result<(Lyapunov, usize), Fault> = lyapunov::<Machine>;
+pub static LYAPUNOV: fn(&mut Machine, &[f64], &Options<'_>) -> InTheLongRun = lyapunov::<Machine>;
 /// Hill's equation about a place of rest.
-pub static STANDING: fn(&mut Machine, &[f64], f64) -> Result<Option<Scalar>, Fault> = standing::<Machine>;
+pub static STANDING: fn(&mut Machine, &[f64], f64) -> Hill = standing::<Machine>;
 /// Places of rest.
 pub static EQUILIBRIUM: fn(&mut Machine, &[f64], &Equilibrium) -> Outcome = equilibrium::<Machine>;
 /// States that a motion passes.
 pub static SAMPLES: fn(&mut Machine, &[f64], Draw) -> States = samples::<Machine>;
 
+type InTheLongRun = Result<(Lyapunov, usize), Fault>;
+type Hill = Result<Option<Scalar>, Fault>;
 type States = Result<Vec<Vec<f64>>, Fault>;
 type Remarks = Result<Vec<Text>, Fault>;

@@ -31,6 +31,11 @@ use algebra::elementary;
 use algebra::qr::{DEPENDENT, Qr};
 use symbolic::linear::LinearOutput;
 
+/// The number of waves of a row and the forms that follow them.
+type Waves = (usize, Vec<usize>);
+/// Levels of derivative and coordinates with which a row swings.
+type Swings = Vec<(usize, usize)>;
+
 /// Entries of the rows below this many bounds of their rounding are zero.
 const SURE: f64 = 16.0;
 /// What excites, where it is not everything in the equations.
@@ -59,9 +64,9 @@ pub(super) struct Reactions {
     /// Number of amplitudes of what oscillates in each entry.
     pulses: Vec<usize>,
     /// Harmonics and waveforms of each row's load.
-    waves: Vec<(usize, Vec<usize>)>,
+    waves: Vec<Waves>,
     /// What oscillates in each row's slopes: level, coordinate.
-    swings: Vec<Vec<(usize, usize)>>,
+    swings: Vec<Swings>,
     /// (output, reaction) of the slopes ∂y/∂λ, and the number of amplitudes of what oscillates in each.
     slopes: Vec<(usize, usize, usize)>,
     /// Where the rows' loads come from.
@@ -151,23 +156,7 @@ impl LinearMachine {
             }
         }
         self.add_balances(&mut sums);
-        let (mut waves, mut swings) = (Vec::new(), Vec::new());
-        for (row, sum) in sums.iter().enumerate() {
-            let formula = self.linear.graph.sum(sum);
-            let own = self.linear.output(&equations, formula);
-            roots.push((format!("row {row}"), own.mean));
-            let by = own.by_place.iter().chain(&own.by_rate).chain(&own.by_acceleration);
-            roots.extend(by.map(|e| (format!("row {row}"), *e)));
-            roots.extend(own.swings.iter().map(|(.., e)| (format!("swing {row}"), *e)));
-            swings.push(own.swings.iter().map(|(level, j, _)| (*level, *j)).collect());
-            let excited = load.map_or(own, |parts| self.excited(parts, row));
-            roots.push((format!("load {row}"), excited.mean));
-            for wave in &excited.waves {
-                roots.extend([wave.rate, wave.cos, wave.sin].map(|e| (format!("wave {row}"), e)));
-            }
-            roots.extend(excited.forms.iter().map(|(_, factor)| (format!("factor {row}"), *factor)));
-            waves.push((excited.waves.len(), excited.forms.iter().map(|f| f.0).collect()));
-        }
+        let (waves, swings) = self.forced_rows(&sums, load, &mut roots);
         let alone = roots.len();
         let slopes = self.slopes_by_reactions(formulas, &mut roots);
         self.learn()?;
@@ -188,6 +177,29 @@ impl LinearMachine {
             slopes,
             named: load.is_some(),
         }))
+    }
+
+    /// What each row has of the motion itself and of its load: the levels of its waves and of what swings.
+    fn forced_rows(&mut self, sums: &[Vec<Expr>], load: Option<&LoadParts>, roots: &mut Vec<(String, Expr)>) -> (Vec<Waves>, Vec<Swings>) {
+        let equations = Arc::clone(&self.equations);
+        let (mut waves, mut swings) = (Vec::new(), Vec::new());
+        for (row, sum) in sums.iter().enumerate() {
+            let formula = self.linear.graph.sum(sum);
+            let own = self.linear.output(&equations, formula);
+            roots.push((format!("row {row}"), own.mean));
+            let by = own.by_place.iter().chain(&own.by_rate).chain(&own.by_acceleration);
+            roots.extend(by.map(|e| (format!("row {row}"), *e)));
+            roots.extend(own.swings.iter().map(|(.., e)| (format!("swing {row}"), *e)));
+            swings.push(own.swings.iter().map(|(level, j, _)| (*level, *j)).collect());
+            let excited = load.map_or(own, |parts| self.excited(parts, row));
+            roots.push((format!("load {row}"), excited.mean));
+            for wave in &excited.waves {
+                roots.extend([wave.rate, wave.cos, wave.sin].map(|e| (format!("wave {row}"), e)));
+            }
+            roots.extend(excited.forms.iter().map(|(_, factor)| (format!("factor {row}"), *factor)));
+            waves.push((excited.waves.len(), excited.forms.iter().map(|f| f.0).collect()));
+        }
+        (waves, swings)
     }
 
     /// What a load alone gives to a row.
