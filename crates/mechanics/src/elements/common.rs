@@ -98,7 +98,7 @@ fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway,
 pub(super) fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Checked, kind: (&str, &str)) {
     let Some(v) = reader.number_for(value, Reliance::Sign).filter(|v| *v <= 0.0) else { return };
     // an element that the command line, a variant or a sweep switches off is meant; and one with another datum acts by that
-    let acts = ["stiffness", "damping"].iter().any(|other| *other != key && fields.has(other));
+    let acts = ["stiffness", "damping"].iter().any(|other| *other != key && fields.knows(other) && fields.has(other));
     if !fields.has(key) || v == 0.0 && (acts || reader.is_set_by_hand(value)) {
         return;
     }

@@ -65,6 +65,10 @@ impl<'a> Fields<'a> {
         noted::note(self.spec.name, key);
         self.table.get(key)
     }
+    /// Whether the table may have a key.
+    pub(crate) fn knows(&self, key: &str) -> bool {
+        self.spec.field(key).is_some()
+    }
     /// Whether a key is there.
     pub(crate) fn has(&self, key: &'static str) -> bool {
         self.get(key).is_some()
