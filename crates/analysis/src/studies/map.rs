@@ -154,17 +154,18 @@ mod tests {
         let inside = found.shares()[1].1;
         // a finest cell along the circumference
         assert!((inside - PI * 0.09).abs() < 5e-3, "{inside}");
-        assert!(found.computed < 81 * 81 / 3, "{}", found.computed);
+        // of the lattice; the halvings on its edges come to that
+        assert!(found.nodes.len() < 81 * 81 / 3, "{}", found.nodes.len());
     }
 
     #[test]
     fn neighbours_of_a_boundary_are_refined_though_their_corners_agree() {
-        // a tongue that enters the second coarse cell between its corners
-        let tongue = |[x, y]: Place| usize::from(x < 0.7 && (y - 0.5).abs() < 0.12 * (0.7 - x));
+        // a tongue that holds the corner (0, 1/3) and enters the second coarse cell, from x = 1/3 on, between its corners
+        let tongue = |[x, y]: Place| usize::from(x < 0.7 && (y - 0.4).abs() < 0.12 * (0.7 - x));
         let found = of(Grid { cells: 3, refine: 4, accuracy: 1e-5 }, tongue);
         let tip = found.lines.iter().flat_map(|line| &line.points).map(|p| p[0]).fold(0.0, f64::max);
-        // the tip is narrower than a finest cell of 1/48 within 0.09 of its end
-        assert!(tip > 0.55, "{tip}");
+        // narrower than a finest cell of 1/48 within 0.09 of its end, 0.7
+        assert!(tip > 0.6, "{tip}");
     }
 
     #[test]
