@@ -197,6 +197,10 @@ impl Fault {
     /// The same, with the instant at which it happened.
     pub(crate) fn during(mut self, t: f64) -> Fault {
         let n = number(t);
+        // some name their instant themselves
+        if self.what.en.contains(&format!("at t = {} s", n.en)) {
+            return self;
+        }
         self.0.what = Text::new(format!("{}, at t = {} s", self.what.en, n.en), format!("{}, при t = {} с", self.what.ru, n.ru));
         self
     }

@@ -126,13 +126,13 @@ struct Told<'a> {
 
 impl Told<'_> {
     fn facts(&self, results: &mut Results) {
-        let count = |name: &str, value: f64, en: &str, ru: &str| Fact::new(name, "N", "1", value, Text::new(en, ru));
+        let count = |name: &str, symbol: &str, value: f64, en: &str, ru: &str| Fact::new(name, symbol, "1", value, Text::new(en, ru));
         let [computed, nodes] = [self.map.computed as f64, self.map.nodes.len() as f64];
         results.facts.extend([
-            count("computed", computed, "places that were computed", "вычислено точек"),
-            count("nodes", nodes, "of them places of the lattice", "из них точек сетки"),
-            count("curves", self.map.lines.len() as f64, "curves of boundaries", "линий границ"),
-            count("lattice", self.map.grid.places() as f64, "places of the finest lattice", "точек самой мелкой сетки"),
+            count("computed", "N", computed, "places that were computed", "вычислено точек"),
+            count("nodes", "N_0", nodes, "of them places of the lattice", "из них точек сетки"),
+            count("curves", "n", self.map.lines.len() as f64, "curves of boundaries", "линий границ"),
+            count("lattice", "N_max", self.map.grid.places() as f64, "places of the finest lattice", "точек самой мелкой сетки"),
         ]);
         for (class, share) in self.map.shares() {
             let name = &self.names[class];
