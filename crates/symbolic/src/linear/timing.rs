@@ -29,7 +29,7 @@ pub struct Timing {
 pub struct Form {
     /// The function.
     pub wave: Waveform,
-    /// Stands for its mean in [`Linear::force`] and in the matrices.
+    /// Stands for its mean in [`super::Linear::force`] and in the matrices.
     pub mean: SymbolId,
 }
 

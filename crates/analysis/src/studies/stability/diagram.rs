@@ -59,7 +59,7 @@ impl Family {
 }
 
 impl Diagram {
-    /// Over a rectangle of a and b, for so many points of each. The error of a trace is [`TRACE`] at most.
+    /// Over a rectangle of a and b, for so many points of each. The error of a trace is `TRACE` at most.
     pub fn of(family: Family, [a, b]: [[f64; 2]; 2], points: [usize; 2]) -> Diagram {
         // what the nodes err by is far less: the rest is for the polynomials
         let asked = Rectangle { x: a, y: b, points, tolerance: 0.1 * TRACE };
