@@ -157,6 +157,8 @@ fn oscillates((rate, cos, sin): &(f64, f64, f64)) -> bool {
 const SILENT: f64 = 1e-13;
 /// Orders that differ by this share are one.
 const SAME: f64 = 1e-12;
+/// Share of a frequency within which it is the one asked for: rates are sums and products of some roundings, and loads meant to be apart are farther than that.
+const SAME_RATE: f64 = 1e-9;
 
 impl<'m> Forced<'m> {
     /// A machine at its place with a load, and formulas to observe.
@@ -532,6 +534,7 @@ impl<'m> Forced<'m> {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         let seen = self.machine.observe(&self.observer, &self.place)?;
+        self.movable(&seen, omega)?;
         let free = !matches!(self.source, Source::OfEquations | Source::Given { .. });
         let direct = if free { seen.iter().map(|s| self.turned((s.constant, 0.0))).collect() } else { self.direct(&seen, omega)? };
         let see = |x: &Amplitudes, omega: f64| -> Vec<Complex> {
@@ -554,6 +557,23 @@ impl<'m> Forced<'m> {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         Ok(Point { omega, place: self.place.q.clone(), coordinates: moving.coordinates(), outputs, still, doubt })
+    }
+
+    /// A frequency written as a number changes with ω in the loads of the coordinates only: not in what outputs have of it by themselves (the load's own part of a
+    /// reaction), nor in the size of loads that a motion given in time makes (A p² of a base).
+    ///
+    /// *Errors*: S033 away from that frequency.
+    fn movable(&self, seen: &[Seen], omega: f64) -> Result<(), Fault> {
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        let Some(own) = self.own.filter(|own| self.follows.is_none() && (omega - order * own).abs() > SAME_RATE * omega) else {
+            return Ok(());
+        };
+        let followed = |rate: f64| self.components.iter().any(|c| (rate.abs() - c.order * own).abs() <= SAME_RATE * rate.abs());
+        let alone = |s: &Seen| s.waves.iter().any(|w| oscillates(w) && followed(w.0)) || s.forms.iter().any(|f| f.1 != 0.0);
+        let equations = self.machine.equations();
+        let timed = |e: Expr| self.machine.linear().graph.contains(e, |s| s == equations.time);
+        let moved = matches!(self.source, Source::OfEquations) && (timed(equations.energy.kinetic) || timed(equations.energy.dissipation));
+        if moved || seen.iter().any(alone) { Err(written_as_number(own)) } else { Ok(()) }
     }
 
     /// What the load does statically; the last answer where neither the matrices nor the load have changed.
@@ -581,7 +601,7 @@ impl<'m> Forced<'m> {
     fn direct(&self, seen: &[Seen], omega: f64) -> Result<Vec<Complex>, Fault> {
         let rates = self.form_rates()?;
         // the frequency asked for, but for rounding of the rates
-        let own = |rate: f64| (rate.abs() - omega).abs() <= 1e-9 * omega;
+        let own = |rate: f64| (rate.abs() - omega).abs() <= SAME_RATE * omega;
         let one = |s: &Seen| {
             let mut y = (0.0, 0.0);
             for (rate, c, s) in s.waves.iter().filter(|w| own(w.0)) {
@@ -739,6 +759,32 @@ fn not_proportional(name: &str) -> Fault {
         help: Text::new(
             "name another parameter, or write the load as A*sin(p*t)",
             "укажите другой параметр или запишите нагрузку как A*sin(p*t)",
+        ),
+    })
+}
+
+/// A frequency that nothing can change.
+fn written_as_number(rate: f64) -> Fault {
+    let n = rounded(rate);
+    Fault::new(Message {
+        code: "S033",
+        what: Text::new(
+            format!(
+                "the frequency of the load, {} rad/s, does not change with ω: it is a number in its formula, or the load moves no coordinate",
+                n.en
+            ),
+            format!(
+                "частота нагрузки {} рад/с не меняется вместе с ω: она записана в формуле числом, либо нагрузка не движет ни одну координату",
+                n.ru
+            ),
+        ),
+        why: Text::new(
+            "a reaction that bears the load, a point of a moving base, and the inertia or damping force of a motion given in time keep the number",
+            "реакция, воспринимающая нагрузку, точка движущегося основания, сила инерции или сопротивления заданного во времени движения сохраняют это число",
+        ),
+        help: Text::new(
+            "make the frequency a parameter, p = \"7 rad/s\", write cos(p*t), and name it: over = \"p\"; what bears a load that moves nothing is shown by `simulate`",
+            "сделайте частоту параметром, p = \"7 рад/с\", запишите cos(p*t) и укажите его: over = \"p\"; реакцию на нагрузку, которая ничего не движет, даёт `simulate`",
         ),
     })
 }
