@@ -43,8 +43,8 @@ const KEYS: TableSpec = table(
             "",
             "",
             (
-                "where it acts: [point, other body], or the name of a rolling contact (which may then slip) or a stop",
-                "где действует: [точка, другое тело] либо имя качения (тогда возможно проскальзывание) или упора",
+                "where it acts: [point, other body], or the name of a rolling contact (which may then slip) or a stop; with its table where both have that name: \"stops.K\"",
+                "где действует: [точка, другое тело] либо имя качения (тогда возможно проскальзывание) или упора; если имя есть в обеих таблицах — с таблицей: \"stops.K\"",
             ),
             "[\"A\", \"floor\"]",
         ),

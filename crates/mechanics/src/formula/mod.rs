@@ -15,5 +15,5 @@ pub use kinematic::{FUNCTIONS as KINEMATIC_FUNCTIONS, KinematicFunction, Takes, 
 pub(crate) use lex::{is_identifier, is_too_long};
 pub(crate) use lower::{Builder, lower};
 pub(crate) use parse::{Formula, parse};
-pub(crate) use scope::{Entry, EntryKind, FREQUENCIES, Place, Scope, Told};
+pub(crate) use scope::{Entry, EntryKind, FREQUENCIES, Place, Scope, Told, shared};
 pub(crate) use turns::{Plain, display};

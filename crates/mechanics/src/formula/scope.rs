@@ -161,10 +161,12 @@ impl Scope {
             acting.what = What::Connection(index, parts);
         }
     }
-    /// The connection of that name in one of these tables; its index is missing when it has a fault of its own.
-    pub(crate) fn connection(&self, tables: &[&str], name: &str) -> Option<Option<usize>> {
-        let own = self.acting.get(name)?.iter().find(|a| tables.contains(&a.table))?;
-        Some(if let What::Connection(index, _) = own.what { Some(index) } else { None })
+    /// The connections of that name (`K`, or `stops.K`) in these tables; the index of one with a fault of its own is missing.
+    pub(crate) fn connections(&self, tables: &[&str], name: &str) -> Vec<(&'static str, Option<usize>)> {
+        let (wanted, bare) = name.split_once('.').map_or((None, name), |(table, bare)| (Some(table), bare));
+        let fits = |a: &&Acting| tables.contains(&a.table) && wanted.is_none_or(|table| table == a.table);
+        let index = |a: &Acting| if let What::Connection(index, _) = a.what { Some(index) } else { None };
+        self.acting.get(bare).into_iter().flatten().filter(fits).map(|a| (a.table, index(a))).collect()
     }
     /// The names in these tables.
     pub(crate) fn connections_of(&self, tables: &[&str]) -> impl Iterator<Item = &str> {
@@ -357,8 +359,14 @@ fn no_such_part(function: &str, acting: &Acting, name: &str, span: &Range<usize>
 
 fn ambiguous(function: &str, several: &[&Acting], name: &str, span: &Range<usize>) -> Notice {
     let tables: Vec<&str> = several.iter().map(|a| a.table).collect();
-    let (tables, list) = (tables.join(", "), several.iter().map(|a| format!("{function}({}.{name})", a.table)).collect::<Vec<_>>());
+    shared(&tables, name, span, |table| format!("{function}({table}.{name})"))
+}
+
+/// A name that several tables have; how it is written with one of them.
+pub(crate) fn shared(tables: &[&str], name: &str, span: &Range<usize>, written: impl Fn(&str) -> String) -> Notice {
+    let list: Vec<String> = tables.iter().map(|table| written(table)).collect();
     let (first, last) = (list[..list.len() - 1].join(", "), list.last().cloned().unwrap_or_default());
+    let tables = tables.join(", ");
     Notice::piece(
         "M014",
         span.clone(),

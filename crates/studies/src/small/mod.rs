@@ -10,6 +10,7 @@ pub mod modes;
 mod remarks;
 pub mod response;
 pub mod show;
+mod source;
 mod strands;
 mod touching;
 

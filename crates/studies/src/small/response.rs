@@ -6,23 +6,22 @@ use crate::plan;
 use crate::provenance;
 use crate::results::{Alone, Body, Next, Results};
 use crate::small::asked::Response as Study;
-use crate::small::load::{self, Meant};
 use crate::small::remarks::{
     axis, bent_by_rates, by_itself, cut, doubtful, foreign, left_out, not_shown, not_straight, of_reactions, prescribed, reference,
     unstable,
 };
+use crate::small::source::{load_name, source};
 use crate::small::strands::{self, Slack, Watched};
 use crate::small::{Small, about_rest, timing_notes};
 use crate::wording::Word as Say;
 use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
-use analysis::linear::LoadParts;
 use analysis::marks::pushes::Push;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::limits::unrepeated;
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
-use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
+use analysis::studies::response::{self as forced, Forced, Point, magnitude, phase};
 use analysis::studies::rest::branch::{Branch, Change};
 use analysis::studies::rest::changes;
 use analysis::studies::rest::degenerate;
@@ -33,7 +32,7 @@ use analysis::{Dataset, Fault, Quantity};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use symbolic::equations::{Applied, Role};
+use symbolic::equations::Role;
 use symbolic::{Equations, Expr, SymbolId};
 use words::{Notice, Printed, Text};
 
@@ -496,101 +495,6 @@ fn bodies(machine: &Machine) -> Vec<Vec<String>> {
         heavy.map(|(f, _)| f.name.clone()).collect()
     };
     model.coordinates.iter().map(|c| moves(c.symbols[0])).collect()
-}
-
-/// The load and the parameter that is its frequency.
-fn source(machine: &Machine, study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), Fault> {
-    let Some(name) = &study.load else {
-        if small.machine.timing().frozen {
-            return Err(forced::no_period());
-        }
-        let linear = small.machine.linear();
-        let waves = linear.loads.iter().map(|l| l.rate);
-        let rates: Vec<Expr> = waves.chain(linear.shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate)).collect();
-        return Ok((Source::OfEquations, choose(study, small, &rates)?));
-    };
-    let equations = small.machine.equations().clone();
-    let applied = match load::named(&machine.model, small, name)? {
-        Meant::Coordinate(i) => return Ok((Source::Unit(i), chosen(study, small)?)),
-        Meant::Load(k) => &equations.applied[k],
-    };
-    let Some((mean, waves, shaped)) = small.machine.harmonics_of(&applied.forces)? else { return Err(forced::no_period()) };
-    if waves.is_empty() && shaped.is_empty() {
-        // a constant force takes any frequency with its value as amplitude
-        let sines = small.machine.zeros();
-        let values = mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect();
-        return Ok((Source::Constant(values, parts(applied)), chosen(study, small)?));
-    }
-    let linear = small.machine.linear();
-    let rates = waves.iter().map(|l| l.rate).chain(shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate));
-    let parameter = choose(study, small, &rates.collect::<Vec<_>>())?;
-    Ok((Source::Given { waves, shaped, parts: parts(applied) }, parameter))
-}
-
-fn parts(applied: &Applied) -> LoadParts {
-    LoadParts { forces: applied.forces.clone(), released: applied.released.clone() }
-}
-
-/// The parameter that sets the rates of the loads.
-fn choose(study: &Study, small: &Small, rates: &[Expr]) -> Result<Option<usize>, Fault> {
-    // what supports alone bear may still show in their reactions
-    if rates.is_empty() {
-        return Ok(None);
-    }
-    let mut all: Vec<usize> = rates.iter().flat_map(|r| parameters_of(small, *r)).collect();
-    all.sort_unstable();
-    all.dedup();
-    let parameters = small.machine.parameters();
-    if let Some(name) = &study.frequency {
-        let wanted = small.machine.parameter(name).filter(|p| all.contains(p));
-        let names: Vec<String> = all.iter().map(|p| parameters[*p].name.clone()).collect();
-        let what = Text::new(format!("no load has the frequency `{name}`"), format!("нет нагрузки с частотой `{name}`"));
-        return wanted.map(Some).ok_or_else(|| Fault::unknown(what, &names));
-    }
-    match all[..] {
-        [] => Ok(None),
-        [only] => Ok(Some(only)),
-        _ => Err(forced::ambiguous(&all.iter().map(|p| parameters[*p].name.clone()).collect::<Vec<_>>())),
-    }
-}
-
-/// The parameter that a load of any frequency follows, where one is named.
-fn chosen(study: &Study, small: &Small) -> Result<Option<usize>, Fault> {
-    let Some(name) = &study.frequency else { return Ok(None) };
-    let names: Vec<String> = small.machine.parameters().iter().map(|p| p.name.clone()).collect();
-    let what = Text::new(format!("there is no parameter `{name}`"), format!("нет параметра `{name}`"));
-    small.machine.parameter(name).map(Some).ok_or_else(|| Fault::unknown(what, &names))
-}
-
-/// Parameters that a rate depends on, through definitions too.
-fn parameters_of(small: &Small, rate: Expr) -> Vec<usize> {
-    let linear = small.machine.linear();
-    let equations = small.machine.equations();
-    let mut open: Vec<SymbolId> = linear.graph.symbols_in(&[rate]);
-    let mut found = Vec::new();
-    while let Some(symbol) = open.pop() {
-        if let Some(i) = equations.parameters.iter().position(|p| p.symbol == symbol) {
-            found.push(i);
-        } else if let Some((_, formula)) = linear.definitions.iter().find(|(s, _)| *s == symbol) {
-            open.extend(linear.graph.symbols_in(&[*formula]));
-        }
-    }
-    found.sort_unstable();
-    found.dedup();
-    found
-}
-
-fn load_name(study: &Study, small: &Small, source: &Source, parameter: Option<usize>) -> Text {
-    let frequency = parameter.map(|p| small.machine.parameters()[p].symbol.as_str());
-    match (source, &study.load, frequency) {
-        (Source::Unit(_), Some(name), _) => Text::new(format!("unit load on {name}"), format!("единичная нагрузка по {name}")),
-        (_, Some(name), _) => Text::same(name.clone()),
-        (_, None, Some(p)) => {
-            let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::symbol::plain(p, language));
-            Text::new(format!("the loads whose frequency follows {en}"), format!("нагрузки, частота которых задана величиной {ru}"))
-        }
-        (_, None, None) => Text::new("the periodic loads", "периодические нагрузки"),
-    }
 }
 
 /// The outputs wanted: those named, else the coordinates.

@@ -1,7 +1,7 @@
 //! What a friction acts between: a pathway, a point on another body, a named contact, a pin, a rope.
 
 use crate::connections::common::reading::{pathway, point_named, size};
-use crate::formula::{Context, Kind};
+use crate::formula::{Context, Kind, shared};
 use crate::model::{Aim, PointRef, Slides};
 use crate::reader::names::names;
 use crate::reader::names::{frame_by_name, frame_named, two_names};
@@ -48,7 +48,11 @@ pub(super) fn presses(slides: &Slides) -> bool {
 fn at<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Slides, Kind)> {
     let length = Kind::Known(Dimension::LENGTH);
     if is_single(fields, "at") {
-        let of = connection(reader, fields, "at", &["rolling", "stops"])?;
+        let (table, of) = connection(reader, fields, "at", &["rolling", "stops"])?;
+        if table == "rolling" && fields.has("radius") {
+            reader.fault(foreign(fields, "radius"));
+            return None;
+        }
         if fields.has("lever") {
             return Some((Slides::Rolls { of }, Kind::Known(Dimension::ANGLE)));
         }
@@ -85,7 +89,7 @@ fn pin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Slides, Kind
         return None;
     }
     let radius = size(reader, fields, "radius", &Context::CONSTANT);
-    Some((Slides::Journal { of: of?, radius: radius? }, Kind::Known(Dimension::ANGLE)))
+    Some((Slides::Journal { of: of?.1, radius: radius? }, Kind::Known(Dimension::ANGLE)))
 }
 
 fn rope<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Slides, Kind)> {
@@ -95,7 +99,7 @@ fn rope<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Slides, Kin
         true => Some(fields.formula(reader, "wrap", &Context::TIME, Some(&Dimension::ANGLE)).filter(|w| w.good)?.expr),
         false => None,
     };
-    Some((Slides::Belt { of: of?, over: over?, wrap }, Kind::Known(Dimension::LENGTH)))
+    Some((Slides::Belt { of: of?.1, over: over?, wrap }, Kind::Known(Dimension::LENGTH)))
 }
 
 /// One point of the drum, or the first and the last.
@@ -134,12 +138,19 @@ fn single<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -
     }
 }
 
-/// The index of a named connection of one of these tables.
-fn connection<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, tables: &[&str]) -> Option<usize> {
+/// The table and the index of a named connection of one of these tables.
+fn connection<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, tables: &[&str]) -> Option<(&'static str, usize)> {
     let (name, span) = single(reader, fields, key)?;
-    match reader.scope.connection(tables, &name) {
-        Some(index) => index,
-        None => {
+    let named = reader.scope.connections(tables, &name);
+    match named[..] {
+        [(table, index)] => index.map(|i| (table, i)),
+        [_, _, ..] => {
+            let several: Vec<&str> = named.iter().map(|(table, _)| *table).collect();
+            let fault = shared(&several, &name, &span, |table| format!("{key} = \"{table}.{name}\""));
+            reader.fault(fault);
+            None
+        }
+        [] => {
             let list = tables.join(", ");
             let fault = Notice::piece("M121", span, format!("there is no `{name}` in {list}"), format!("нет `{name}` среди {list}"));
             let near: Vec<String> = reader.scope.connections_of(tables).map(str::to_owned).collect();
