@@ -43,6 +43,8 @@ pub(super) struct Found<'o> {
     /// Change of all states per change of the free ones, column by column.
     pub(super) basis: Vec<Vec<f64>>,
     pub(super) turns: Turns,
+    /// Velocities, by state, of the angles that turn with the forcing; zero for a machine that is not driven in time.
+    pub(super) carried: Vec<f64>,
     /// Whether the motion is far smaller than in the first turn.
     pub(super) shrunk: bool,
     /// Who listens.
@@ -116,11 +118,16 @@ impl Found<'_> {
         gap
     }
 
+    /// Velocities of what is carried along, in a frame without time or by a forcing.
+    fn drift(&self) -> &[f64] {
+        self.symmetry.frame.as_deref().unwrap_or(&self.carried)
+    }
+
     fn raw_gap(&self) -> Vec<f64> {
-        let frame = self.symmetry.frame.as_deref();
+        let drift = self.drift();
         let period = self.orbit.period;
-        let drift = |i: usize| frame.map_or(0.0, |f| f[i] * period);
-        let mut gap: Vec<f64> = (0..self.orbit.first.len()).map(|i| self.orbit.last[i] - self.orbit.first[i] - drift(i)).collect();
+        let gain = |i: usize| self.orbit.last[i] - self.orbit.first[i];
+        let mut gap: Vec<f64> = (0..self.orbit.first.len()).map(|i| gain(i) - drift[i] * period).collect();
         self.turns.take_off(&mut gap);
         gap
     }
@@ -240,7 +247,7 @@ impl Found<'_> {
             let part = self.orbit.period / k as f64;
             let laws = match &self.symmetry.frame {
                 Some(_) => false,
-                None => symmetry::repeats(system, &self.orbit, part, &self.scales)?,
+                None => symmetry::repeats(system, &self.orbit, (part, &self.carried), &self.scales)?,
             };
             if laws {
                 forces = k;
@@ -254,9 +261,8 @@ impl Found<'_> {
 
     /// Whether the state at that instant is the one at the start.
     fn comes_back_after(&self, t: f64) -> bool {
-        let frame = self.symmetry.frame.as_deref();
         let mut gap: Vec<f64> = self.orbit.state_at(t).iter().zip(&self.orbit.first).map(|(a, b)| a - b).collect();
-        gap.iter_mut().enumerate().for_each(|(i, gap)| *gap -= frame.map_or(0.0, |f| f[i] * t));
+        gap.iter_mut().zip(self.drift()).for_each(|(gap, v)| *gap -= v * t);
         self.turns.take_off(&mut gap);
         clear_shifts(&self.symmetry, &mut gap);
         // a regime that closes to 1e-10 comes back so where it repeats earlier

@@ -8,7 +8,7 @@ use super::options::{Periodic, Return};
 use super::orbit::{Orbit, Section, follow};
 use super::rest::{self, Left};
 use super::symmetry::{self, Reach, Symmetry};
-use super::turns::Turns;
+use super::turns::{self, Turns};
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, System};
 use words::Text;
@@ -37,6 +37,8 @@ struct Search<'s, 'o> {
     loose: Symmetry,
     /// Whole turns that the laws do not feel.
     turns: Turns,
+    /// Velocities of the angles that turn with the forcing.
+    carried: Vec<f64>,
     sections: Vec<Section>,
     /// State that defines the section; none for a given period.
     state: Option<usize>,
@@ -404,11 +406,10 @@ fn prepare<'s, 'o, S: System + ?Sized>(
     }
     match (&search.symmetry.frame, &options.by) {
         (None, Return::Period(period)) => {
-            if !symmetry::repeats(system, &trial, *period, &search.scales)? {
-                return Err(driven(Some(*period)));
-            }
+            let with = (&search.turns, &search.scales[..]);
+            search.carried = turns::carried(system, (&trial, elapsed), *period, with)?.ok_or_else(|| driven(Some(*period)))?;
             if options.settle > 0.0 {
-                x = settled_phase(system, start, *period, options, &search.flow)?;
+                x = settled_phase(system, start, (*period, &search.carried), options, &search.flow)?;
             }
             search.sections = vec![Section::Time(*period * options.returns as f64)];
             search.name = Text::new("the motion", "движение");
@@ -455,6 +456,7 @@ fn begin<'s, 'o, S: System + ?Sized>(
         symmetry,
         loose,
         turns,
+        carried: vec![0.0; trial.first.len()],
         sections: Vec::new(),
         state: None,
         whole: Vec::new(),
@@ -476,7 +478,7 @@ fn still(trial: &Orbit, frame: &[f64], scales: &[f64]) -> bool {
 fn settled_phase<S: System + ?Sized>(
     system: &mut S,
     start: &[f64],
-    period: f64,
+    (period, carried): (f64, &[f64]),
     options: &Periodic<'_>,
     with: &Options,
 ) -> Result<Vec<f64>, Fault> {
@@ -484,6 +486,7 @@ fn settled_phase<S: System + ?Sized>(
     let mut flow = Flow::start(system, 0.0, start, with)?;
     settle(&mut flow, whole, options)?;
     let (mut x, modes) = (flow.state().to_vec(), flow.modes().to_vec());
+    x.iter_mut().zip(carried).for_each(|(x, v)| *x -= v * whole);
     let settled = x.clone();
     // the phase of many periods carries a rounding by which what lies on a shaken table would begin inside it
     if system.project(0.0, &mut x, &modes).is_err() {
@@ -610,6 +613,7 @@ impl<'o> Search<'_, 'o> {
             free,
             basis,
             turns: self.turns.clone(),
+            carried: self.carried.clone(),
             shrunk: self.shrunk,
             listener: self.options.listener,
         })

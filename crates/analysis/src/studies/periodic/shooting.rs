@@ -69,6 +69,7 @@ impl<'o> Shooting<'o> {
             free: Vec::new(),
             basis: Vec::new(),
             turns: Turns::default(),
+            carried: vec![0.0; x.len()],
             shrunk: false,
             listener: options.listener,
         };
@@ -116,6 +117,8 @@ impl<'o> Shooting<'o> {
             free: Vec::new(),
             basis: Vec::new(),
             turns: self.found.turns.clone(),
+            // the same whole turns in another period
+            carried: self.found.carried.iter().map(|v| v * self.found.orbit.period / period).collect(),
             shrunk: false,
             listener: self.found.listener,
         }))
@@ -188,7 +191,7 @@ impl Turned<'_> {
     ///
     /// *Errors*: those of the equations.
     pub(in crate::studies) fn laws_repeat<S: System + ?Sized>(&self, system: &mut S) -> Result<bool, Fault> {
-        symmetry::repeats(system, &self.0.orbit, self.0.orbit.period, &self.0.scales)
+        symmetry::repeats(system, &self.0.orbit, (self.0.orbit.period, &self.0.carried), &self.0.scales)
     }
 
     /// Least and greatest value of each of the first n states, whose rates are the next n.

@@ -241,9 +241,18 @@ pub(super) fn turned<S: System + ?Sized>(system: &mut S, orbit: &Orbit, turns: &
     })
 }
 
-/// Whether the laws are the same after this time.
-pub(super) fn repeats<S: System + ?Sized>(system: &mut S, orbit: &Orbit, period: f64, scales: &[f64]) -> Result<bool, Fault> {
-    unchanged(system, orbit, scales, |sample| (sample.t + period, sample.x.clone()))
+/// Whether the laws are the same after this time, while states are carried along with these velocities.
+pub(super) fn repeats<S: System + ?Sized>(
+    system: &mut S,
+    orbit: &Orbit,
+    (period, carried): (f64, &[f64]),
+    scales: &[f64],
+) -> Result<bool, Fault> {
+    unchanged(system, orbit, scales, |sample| {
+        let mut x = sample.x.clone();
+        x.iter_mut().zip(carried).for_each(|(x, v)| *x += v * period);
+        (sample.t + period, x)
+    })
 }
 
 /// Whether the laws do not feel a change of place or time.

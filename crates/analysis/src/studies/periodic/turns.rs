@@ -67,6 +67,34 @@ fn unwind(turn: &Turn, change: &mut [f64]) {
     turn.iter().for_each(|(i, n)| change[*i] -= times * n * TAU);
 }
 
+/// Velocities, by state, of the angles that make whole turns with each period of the forcing: a wheel behind a spring on a shaft with the angle w t, which the laws
+/// know by f - w t and by sin f. Those of the motion are tried, then a turn forwards and backwards; the states all stay where no turn is wanted.
+///
+/// *Errors*: none where the laws do not repeat so.
+pub(super) fn carried<S: System + ?Sized>(
+    system: &mut S,
+    (trial, elapsed): (&Orbit, f64),
+    period: f64,
+    (turns, scales): (&Turns, &[f64]),
+) -> Result<Option<Vec<f64>>, Fault> {
+    let n = system.n_coordinates();
+    let standing = vec![0.0; trial.first.len()];
+    if symmetry::repeats(system, trial, (period, &standing), scales)? {
+        return Ok(Some(standing));
+    }
+    let angle = |i: &usize| !(n..2 * n).contains(i) && system.states()[*i].unit == "rad" && turns.of(*i).is_none();
+    let open: Vec<usize> = (0..trial.first.len()).filter(angle).collect();
+    let of_motion: Vec<f64> = open.iter().map(|&i| ((trial.last[i] - trial.first[i]) / elapsed * period / TAU).round()).collect();
+    for counts in [of_motion, vec![1.0; open.len()], vec![-1.0; open.len()]] {
+        let mut velocities = standing.clone();
+        open.iter().zip(counts).for_each(|(&i, count)| velocities[i] = count * TAU / period);
+        if velocities.iter().any(|v| *v != 0.0) && symmetry::repeats(system, trial, (period, &velocities), scales)? {
+            return Ok(Some(velocities));
+        }
+    }
+    Ok(None)
+}
+
 /// The least turn of an angle with others that the laws do not feel: in the ratios of the motion, else once each.
 fn together<S: System + ?Sized>(
     system: &mut S,
