@@ -296,4 +296,14 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[nodes.A]\nat = [\"0\", \"0\"]\n[nodes.B]\nat = [\"1 m\", \"0\"]\n[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"1 N m^2\"\nmass = \"2 kg\"\n[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n[structure]\ncondense = false\n",
         "[nodes.A]\nat = [\"0\", \"0\"]\n[nodes.B]\nat = [\"1 m\", \"0\"]\n[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"1 N m^2\"\nmass = \"2 kg\"\ndivisions = 8\n[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n[structure]\ncondense = false\nmodes = 2\n",
     ),
+    row(
+        "M307",
+        ("start of a displacement that follows", "начальное значение зависимого перемещения"),
+        (
+            "A frame has as many coordinates as independent displacements with inertia. Further displacements, and those that a load moves at once because nothing has mass there, follow from the coordinates and the loads: a start of theirs would be lost or contradict the others.",
+            "У рамы столько координат, сколько независимых перемещений с инерцией. Прочие перемещения, а также те, которые нагрузка изменяет сразу, потому что масс там нет, следуют из координат и нагрузок: их начальное значение было бы потеряно или противоречило бы остальным.",
+        ),
+        "[nodes.A]\nat = [\"0\", \"0\"]\n[nodes.B]\nat = [\"1 m\", \"0\"]\nmass = \"2 kg\"\n[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"1 N m^2\"\n[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n[displacements]\nu = { at = \"B\", start = \"1 mm\" }\nv = { at = \"B\", direction = \"turn\", start = \"0.1 rad\" }\n",
+        "[nodes.A]\nat = [\"0\", \"0\"]\n[nodes.B]\nat = [\"1 m\", \"0\"]\nmass = \"2 kg\"\n[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"1 N m^2\"\n[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n[displacements]\nu = { at = \"B\", start = \"1 mm\" }\nv = { at = \"B\", direction = \"turn\" }\n",
+    ),
 ];

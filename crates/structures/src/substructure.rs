@@ -40,6 +40,9 @@ pub struct Substructure {
     pub condensed: bool,
     /// The highest frequency of the oscillations that span the space, rad/s, when higher ones are left out.
     pub kept: Option<f64>,
+    /// What each of the acting loads moves of each named displacement while all coordinates rest, m or rad per unit of the load: the flexibility of freedoms without
+    /// inertia, which follow the load at once. Row by row of displacements; such a displacement is no coordinate.
+    pub lags: Vec<f64>,
 }
 
 impl Substructure {
@@ -104,6 +107,8 @@ pub struct Wish {
     pub count: usize,
     /// Loads whose static shapes span it too: those that change with time.
     pub loads: Vec<Load<f64>>,
+    /// All loads, each as a unit load in its place.
+    pub acting: Vec<Load<f64>>,
 }
 
 /// The coordinates of a frame.
@@ -111,16 +116,17 @@ pub struct Wish {
 /// Where the wanted oscillations are fewer than the freedoms, the space is spanned by them and the static shapes K⁻¹ Pᵀ of unit forces along
 /// the named displacements and of the loads: the lowest frequencies, the statics of the named displacements and the static part of what
 /// the loads do are those of the whole frame. Where they are not, it is spanned by all freedoms with inertia and by what gives way along the
-/// displacements that something outside acts on.
+/// displacements that something outside acts on. What loads move beyond it follows them without inertia ([`Substructure::lags`]).
 ///
 /// *Errors*: nothing to move, S063, S064, faults of the eigensolver.
 pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, wish: &Wish) -> Result<Substructure, Fault> {
-    let whole = Whole::of(frame, assembly, &wish.loads)?;
+    let whole = Whole::of(frame, assembly, wish)?;
     let space = match assembly.n() > SEARCHED && wish.condensation != Condensation::Turns {
         true => whole.sparse(assembly, wish.count)?,
         false => whole.dense(assembly, wish)?,
     };
-    coordinates(space, assembly.n())
+    let lags = whole.lags(&space)?;
+    coordinates(space, assembly.n(), lags)
 }
 
 /// All independent freedoms.
@@ -130,15 +136,53 @@ struct Whole<'a> {
     mass: Sparse,
     /// Named displacements over the freedoms.
     named: Vec<Vec<f64>>,
-    /// Loads on the freedoms.
+    /// Loads on the freedoms, whose static shapes are wanted.
     loads: Vec<Vec<f64>>,
+    /// All loads.
+    acting: Vec<Vec<f64>>,
 }
 
 impl Whole<'_> {
-    fn of<'a>(frame: &'a Frame<f64>, assembly: &Assembly<f64>, loads: &[Load<f64>]) -> Result<Whole<'a>, Fault> {
+    fn of<'a>(frame: &'a Frame<f64>, assembly: &Assembly<f64>, wish: &Wish) -> Result<Whole<'a>, Fault> {
         let (stiffness, mass) = (compressed(&assembly.stiffness(frame))?, compressed(&assembly.mass(frame))?);
         let force = |load: &Load<f64>| assembly.elimination.gather(&loading(assembly, frame, std::slice::from_ref(load)).forces);
-        Ok(Whole { frame, stiffness, mass, named: displacements(frame, assembly), loads: loads.iter().map(force).collect() })
+        let [loads, acting] = [&wish.loads, &wish.acting].map(|list| list.iter().map(force).collect());
+        Ok(Whole { frame, stiffness, mass, named: displacements(frame, assembly), loads, acting })
+    }
+
+    /// pᵀ (K⁻¹ - Φ (Φᵀ K Φ)⁻¹ Φᵀ) f for named displacements p and loads f, Φ the shapes of the space, row by row; what is rounding is zero. In a space of few shapes
+    /// those of the named displacements are there, and nothing is left.
+    fn lags(&self, space: &Space) -> Result<Vec<f64>, Fault> {
+        let (n, n_q) = (space.n, self.stiffness.size());
+        if self.acting.is_empty() || self.named.is_empty() || space.kept.is_some() {
+            return Ok(vec![0.0; self.named.len() * self.acting.len()]);
+        }
+        let factor = self.stiffness.factor().map_err(|_| faults::extreme(self.frame))?;
+        let solved = |v: &Vec<f64>| {
+            let mut x = v.clone();
+            factor.solve(&mut x, 1);
+            x
+        };
+        let across = dense::transpose(&space.basis, n_q, n);
+        let left = |f: &Vec<f64>| -> (Vec<f64>, f64) {
+            let mut x = solved(f);
+            let own = dot(f, &x);
+            let in_space = dense::product(&space.flexibility, &dense::product(&across, f, n, n_q, 1), n, n, 1);
+            let followed = dense::product(&space.basis, &in_space, n_q, n, 1);
+            x.iter_mut().zip(followed).for_each(|(x, y)| *x -= y);
+            (x, own)
+        };
+        let moved: Vec<(Vec<f64>, f64)> = self.acting.iter().map(left).collect();
+        let mut lags = Vec::new();
+        for row in &self.named {
+            let own = dot(row, &solved(row));
+            let of = |(x, load): &(Vec<f64>, f64)| {
+                let lag = dot(row, x);
+                if lag.abs() > AT_ONCE * (own * load).sqrt() { lag } else { 0.0 }
+            };
+            lags.extend(moved.iter().map(of));
+        }
+        Ok(lags)
     }
 
     /// All of a small frame, condensed; or the few shapes that matter.
@@ -254,10 +298,17 @@ fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
 /// Smallest share of its energy that a static shape adds to what is there.
 const NEW: f64 = 1e-10;
 
-/// Named displacements, then amplitudes of shapes in which they rest.
-fn coordinates(space: Space, n_q: usize) -> Result<Substructure, Fault> {
+/// Share of what a load could move of a displacement, by Schwarz's inequality, below which a lag is rounding of solutions that carry thirteen digits.
+const AT_ONCE: f64 = 1e-10;
+
+/// Named displacements, then amplitudes of shapes in which they rest. A displacement that a load moves at once has no inertia in part: it follows.
+fn coordinates(space: Space, n_q: usize, lags: Vec<f64>) -> Result<Substructure, Fault> {
     let (n, rows) = (space.n, &space.named);
-    let named = independent(rows, &space.flexibility, n);
+    let width = lags.len() / rows.len().max(1);
+    let follows = |i: usize| lags[i * width..(i + 1) * width].iter().any(|lag| *lag != 0.0);
+    let open: Vec<usize> = (0..rows.len()).filter(|i| !follows(*i)).collect();
+    let candidates: Vec<Vec<f64>> = open.iter().map(|i| rows[*i].clone()).collect();
+    let named: Vec<usize> = independent(&candidates, &space.flexibility, n).into_iter().map(|k| open[k]).collect();
     let p: Vec<f64> = named.iter().flat_map(|i| rows[*i].clone()).collect();
     let m = named.len();
     let dpt = dense::product(&space.flexibility, &dense::transpose(&p, m, n), n, n, m);
@@ -296,6 +347,7 @@ fn coordinates(space: Space, n_q: usize) -> Result<Substructure, Fault> {
         n_q,
         condensed: !space.lost,
         kept: space.kept,
+        lags,
     })
 }
 

@@ -45,7 +45,6 @@ pub static KIND: Kind = Kind::new(
     )
     .default("1", "1")
     .option("Turns of a cycle", "Число оборотов в цикле")
-    .needs("angle")
     .way(Way::Written),
     Key::new(
         "speed",
@@ -55,12 +54,10 @@ pub static KIND: Kind = Kind::new(
     )
     .default("starting rate", "начальная скорость")
     .option("Uniform rate [default: the starting rate]", "Равномерная угловая скорость [по умолчанию: начальная скорость]")
-    .needs("angle")
     .way(Way::Written),
     Key::new("period", Takes::Duration, ("time of a cycle instead of `speed`", "время цикла вместо `speed`"), "\"0.2568 s\"")
         .not_with("speed", "M071")
         .option("Duration of a cycle, instead of the rate", "Длительность цикла вместо скорости")
-        .needs("angle")
         .way(Way::Written),
     Key::new("unknown", Takes::Sought, ("parameter found from the balance of a cycle", "искомый параметр: из баланса за цикл"), "\"F0\"")
         .option("Drive force or torque that is found from the balance", "Движущая сила или момент, которые находят из баланса"),
@@ -71,7 +68,6 @@ pub static KIND: Kind = Kind::new(
         "0.02",
     )
     .option("Wanted irregularity of running", "Нужная неравномерность хода")
-    .needs("angle")
     .way(Way::Written),
     Key::new(
         "flywheel",

@@ -2,15 +2,16 @@
 
 use crate::{Edge, Expr, Function, Graph, Node, SymbolId};
 use algebra::elementary;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 impl Graph {
     /// The values of `roots` when each symbol has the given value. Out-of-domain operations give the IEEE result (NaN or infinity).
     ///
     /// *Shapes*: as many numbers as roots.
     pub fn evaluate(&self, roots: &[Expr], value: &dyn Fn(SymbolId) -> f64) -> Vec<f64> {
-        let mut known: FxHashMap<Expr, f64> = FxHashMap::default();
-        for e in self.reachable(roots) {
+        let order = self.reachable(roots);
+        let mut known: FxHashMap<Expr, f64> = FxHashMap::with_capacity_and_hasher(order.len(), FxBuildHasher);
+        for e in order {
             let v = self.evaluate_node(e, value, &|c| known[&c]);
             known.insert(e, v);
         }

@@ -48,12 +48,19 @@ impl Scene<'_> {
     /// Dimension of the space that vectors span, in most positions.
     pub fn rank(&mut self, vectors: &[Vector]) -> usize {
         let components: Vec<Expr> = vectors.iter().flatten().copied().collect();
-        let mut most = 0;
+        // analytic vectors have at almost every point the rank that they have in most
+        let enough = if is_analytic(&self.graph, &components) { POINTS } else { usize::MAX };
+        let whole = vectors.len().min(3);
+        let (mut most, mut seen) = (0, 0);
         for trial in 0..TRIALS {
+            if most == whole || seen == enough {
+                break;
+            }
             let point = self.random_point(trial);
             let values = self.graph.evaluate(&components, &|s| point.get(&s).copied().unwrap_or(f64::NAN));
             if values.iter().all(|v| v.is_finite()) {
                 most = most.max(span(&values));
+                seen += 1;
             }
         }
         most
@@ -115,14 +122,17 @@ fn near(model: &crate::model::Model, symbol: SymbolId) -> f64 {
 
 /// Whether the textbook form may miss a zero: sums with roots or inverse functions in them, and no switch, on one side of which it might vanish alone.
 fn has_hidden_zero(graph: &Graph, e: Expr) -> bool {
-    let nodes = graph.reachable(&[e]);
-    let switches = nodes.iter().any(|e| match graph.node(*e) {
+    let sums = |e: &Expr| matches!(graph.node(*e), Node::Sum { .. });
+    graph.reachable(&[e]).iter().any(sums) && is_analytic(graph, &[e])
+}
+
+/// Whether nothing switches below these expressions.
+fn is_analytic(graph: &Graph, roots: &[Expr]) -> bool {
+    !graph.reachable(roots).iter().any(|e| match graph.node(*e) {
         Node::Switch { .. } => true,
         Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
         _ => false,
-    });
-    let sums = nodes.iter().any(|e| matches!(graph.node(*e), Node::Sum { .. }));
-    sums && !switches
+    })
 }
 
 /// The value, and the sum of the magnitudes of what it is the sum of.

@@ -23,6 +23,8 @@ pub(super) type Shares = Vec<Option<Rational>>;
 pub(super) struct Figures {
     /// Named displacements that are no coordinates, over the coordinates.
     pub(super) followers: Vec<Shares>,
+    /// What the loads move of each of them at once: formulas of their components, and shares.
+    pub(super) lags: Vec<Vec<(Expr, Option<Rational>)>>,
     /// M, pair by pair.
     pub(super) mass: Vec<Entry>,
     /// K alike.
@@ -36,9 +38,10 @@ impl Figures {
     pub(super) fn flat(&self) -> Vec<f64> {
         let number = |share: &Option<Rational>| share.as_ref().map_or(0.0, Rational::to_f64);
         let followers = self.followers.iter().flatten().map(number);
+        let lags = self.lags.iter().flatten().map(|(_, share)| number(share));
         let entries = self.mass.iter().chain(&self.stiffness).map(|e| e.2);
         let loads = self.loads.iter().flatten().flat_map(|(_, shares)| shares.iter().map(number));
-        followers.chain(entries).chain(loads).collect()
+        followers.chain(lags).chain(entries).chain(loads).collect()
     }
 }
 
@@ -56,11 +59,20 @@ pub(super) fn figures(
         let parts = components(load, numbers).into_iter().filter(|(value, _)| !model.graph.is_zero(*value));
         parts.map(|(value, unit)| (value, shares(&bound.frame, &assembly, found, unit, n))).collect()
     };
+    let loads: Vec<Vec<(Expr, Shares)>> = structure.loads.iter().zip(&bound.frame.loads).map(load).collect();
+    let components: Vec<Expr> = loads.iter().flatten().map(|(value, _)| *value).collect();
+    let followers = || (0..structure.displacements.len()).filter(|i| !found.named.contains(i));
+    let lag = |i: usize| {
+        let row = &found.lags[i * components.len()..(i + 1) * components.len()];
+        let largest = row.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        components.iter().zip(row).map(|(value, lag)| (*value, simple(*lag, largest).filter(|_| *lag != 0.0))).collect()
+    };
     Figures {
-        followers: (0..structure.displacements.len()).filter(|i| !found.named.contains(i)).map(|i| follower(bound, found, i)).collect(),
+        followers: followers().map(|i| follower(bound, found, i)).collect(),
+        lags: followers().map(lag).collect(),
         mass,
         stiffness,
-        loads: structure.loads.iter().zip(&bound.frame.loads).map(load).collect(),
+        loads,
     }
 }
 

@@ -85,17 +85,47 @@ fn mount(model: &mut Model, structure: &file::Structure, slots: &mut Slots) -> R
     let all = model.coordinates.split_off(first);
     let (kept, followers): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|(i, _)| found.named.contains(i));
     model.coordinates.extend(kept.into_iter().map(|c| c.1));
+    let started = |c: &CoordinateDecl| c.given != [false; 2] && !(model.graph.is_zero(c.start) && model.graph.is_zero(c.rate));
+    if let Some((_, coordinate)) = followers.iter().find(|(_, c)| started(c)) {
+        let coordinates: Vec<&str> = model.coordinates[first..].iter().map(|c| c.name.as_str()).collect();
+        return Err(Box::new(no_start(coordinate, &coordinates)));
+    }
     for k in 0..found.amplitudes {
         amplitude(model, k + 1);
     }
     let figures = figures(model, structure, (&bound, &found), condensation(structure));
-    for ((_, coordinate), shares) in followers.into_iter().zip(&figures.followers) {
-        follower(model, slots, (first, shares), coordinate);
+    // in the order of the flat figures: shares of coordinates first
+    let mut terms: Vec<Vec<Expr>> = figures.followers.iter().map(|shares| over_coordinates(model, slots, (first, shares))).collect();
+    for (terms, lags) in terms.iter_mut().zip(&figures.lags) {
+        terms.extend(at_once(model, slots, lags));
+    }
+    for ((_, coordinate), terms) in followers.into_iter().zip(terms) {
+        follower(model, &terms, coordinate);
     }
     inertias(model, slots, &figures.mass, first);
     potential(model, slots, &figures.stiffness, first);
     loads(model, slots, structure, &figures, first);
     Ok((Some(found), warnings))
+}
+
+/// M307: a displacement that follows begins where the coordinates and the loads put it.
+fn no_start(displacement: &CoordinateDecl, coordinates: &[&str]) -> Notice {
+    let (name, list) = (&displacement.name, coordinates.join(", "));
+    let [en, ru] = match coordinates {
+        [] => ["give the masses a displacement of their own", "задайте перемещения самих масс"].map(str::to_owned),
+        _ => [format!("give the starts of {list}"), format!("задайте начальные значения величин {list}")],
+    };
+    Notice::piece(
+        "M307",
+        displacement.span.clone(),
+        format!("the displacement `{name}` cannot be given a start"),
+        format!("перемещению `{name}` нельзя задать начальное значение"),
+    )
+    .why(
+        "it is no coordinate: other displacements and the loads determine it",
+        "оно не является координатой: его определяют другие перемещения и нагрузки",
+    )
+    .help(en, ru)
 }
 
 /// The coordinate η of a shape in which the named displacements rest.
@@ -121,8 +151,8 @@ fn amplitude(model: &mut Model, number: usize) {
     });
 }
 
-/// A displacement that follows from the coordinates: a formula, and a result to look at.
-fn follower(model: &mut Model, slots: &mut Slots, (first, shares): (usize, &Shares), coordinate: CoordinateDecl) {
+/// What the coordinates give to a displacement.
+fn over_coordinates(model: &mut Model, slots: &mut Slots, (first, shares): (usize, &Shares)) -> Vec<Expr> {
     let mut terms = Vec::new();
     for (k, share) in shares.iter().enumerate() {
         if let Some(share) = slots.share(model, share.as_ref()) {
@@ -130,7 +160,23 @@ fn follower(model: &mut Model, slots: &mut Slots, (first, shares): (usize, &Shar
             terms.push(model.graph.mul(share, q));
         }
     }
-    let formula = model.graph.sum(&terms);
+    terms
+}
+
+/// What loads give to it at once, where nothing has inertia.
+fn at_once(model: &mut Model, slots: &mut Slots, lags: &[(Expr, Option<Rational>)]) -> Vec<Expr> {
+    let mut terms = Vec::new();
+    for (value, share) in lags {
+        if let Some(share) = slots.share(model, share.as_ref()) {
+            terms.push(model.graph.mul(share, *value));
+        }
+    }
+    terms
+}
+
+/// A displacement that follows from the coordinates and from the loads: a formula, and a result to look at.
+fn follower(model: &mut Model, terms: &[Expr], coordinate: CoordinateDecl) {
+    let formula = model.graph.sum(terms);
     let [unit, _, _] = coordinate.units;
     let (name, label, span) = (coordinate.name, coordinate.label, coordinate.span);
     let output = model.graph.symbol_id(&name, 0);

@@ -33,7 +33,7 @@ use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use symbolic::equations::Role;
-use symbolic::{Equations, Expr, SymbolId};
+use symbolic::{Expr, SymbolId};
 use words::{Notice, Printed, Text};
 
 /// The study.
@@ -148,7 +148,7 @@ fn of_output(machine: &Machine, study: &Study, fault: Fault) -> Fault {
         return fault;
     }
     let Ok(mut small) = about_rest(machine, &study.guess) else { return fault };
-    let (quantities, formulas) = observed(study, &machine.equations);
+    let (quantities, formulas) = observed(study, machine);
     let mut has_none = |formula: &symbolic::Expr| {
         let seen = small.machine.observer(std::slice::from_ref(formula), None).and_then(|o| small.machine.observe(&o, &small.place));
         seen.is_err()
@@ -201,7 +201,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     let found = modes(&matrices, &names, Normalisation::Largest)?;
     let (source, parameter) = source(machine, study, &mut small)?;
     out.load = load_name(study, &small, &source, parameter);
-    let (quantities, formulas) = observed(study, &machine.equations);
+    let (quantities, formulas) = observed(study, machine);
     refuse_open(machine, &quantities)?;
     let mut notes = remarks(machine, &small);
     notes.extend(degenerate::remark(degenerate::degenerate(&mut small.machine, &small.place).iter()));
@@ -498,9 +498,12 @@ fn bodies(machine: &Machine) -> Vec<Vec<String>> {
 }
 
 /// The outputs wanted: those named, else the coordinates.
-fn observed(study: &Study, equations: &Equations) -> (Vec<Quantity>, Vec<Expr>) {
+fn observed(study: &Study, machine: &Machine) -> (Vec<Quantity>, Vec<Expr>) {
+    let equations = &machine.equations;
+    let displaced = |name: &str| machine.model.structure.as_ref().is_some_and(|s| s.displacements.iter().any(|d| d.name == name));
     let wanted = |o: &&symbolic::equations::Output| match &study.outputs[..] {
-        [] => matches!(o.role, Role::Coordinate),
+        // displacements of a frame are wanted whether they are coordinates or follow
+        [] => matches!(o.role, Role::Coordinate) || displaced(&o.name),
         names => names.contains(&o.name),
     };
     let quantity = |o: &symbolic::equations::Output| {
@@ -600,8 +603,8 @@ fn state(data: &mut Dataset, output: &str) {
     );
     let phase = Text::new("no phase where the amplitude is zero or infinite", "фазы нет: амплитуда равна нулю или бесконечна");
     let still = Text::new(
-        "no dynamic coefficient: statically the load moves this nothing at all, or without bound, or it contains a prescribed motion itself",
-        "коэффициента динамичности нет: статически нагрузка эту величину не меняет или меняет неограниченно, либо в неё входит само заданное движение",
+        "no dynamic coefficient: statically the load moves this nothing at all, or without bound, or it contains a prescribed motion or the load itself",
+        "коэффициента динамичности нет: статически нагрузка эту величину не меняет или меняет неограниченно, либо в неё входит само заданное движение или сама нагрузка",
     );
     let sum = Text::new(
         "no largest value over a period: no common period, an infinite amplitude, or an output that is not linear in reactions",

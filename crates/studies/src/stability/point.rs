@@ -71,7 +71,9 @@ pub(super) fn of_motion(machine: &mut Machine, study: &periodic::Periodic, care:
         return Err(no_multipliers(regime.dataset.notes.first()));
     }
     let clocks = clocks(machine, &regime.coefficients);
-    let multipliers = floquet::without_clocks(&regime.multipliers, clocks.len());
+    // one that nothing feels is a translation, and has no multiplier already
+    let counted = clocks.iter().filter(|state| regime.returning.contains(state)).count();
+    let multipliers = floquet::without_clocks(&regime.multipliers, counted);
     let rows = without(&regime.coefficients, &clocks);
     let lone = multipliers.iter().any(|m| m.trivial);
     let scalar = if lone { None } else { Scalar::of_coefficients(regime.period, &rows) };

@@ -71,6 +71,8 @@ pub struct Regime {
     pub dataset: Dataset,
     /// ∂f/∂x at the instants that are asked for, row by row, SI; none where connections tie the states, or the motion switches.
     pub coefficients: Vec<Vec<f64>>,
+    /// The states that have to come back, to which the multipliers belong: no translations, nothing that follows by connections.
+    pub returning: Vec<usize>,
 }
 
 /// A regime, or why there is none, with what was found so far.
@@ -136,6 +138,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     let coefficients = coefficients::along(system, &found, options.coefficients)?;
     let gain = found.orbit.last.iter().zip(&found.orbit.first).map(|(b, a)| b - a).collect();
     let period = found.orbit.period;
+    let returning = found.returning(None);
     if let (Return::Period(given), false) = (&options.by, found.is_driven()) {
         dataset.notes.push(own_period(*given, period));
     }
@@ -149,6 +152,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         forces,
         dataset,
         coefficients,
+        returning,
     })
 }
 

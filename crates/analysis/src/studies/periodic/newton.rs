@@ -582,10 +582,13 @@ impl<'o> Search<'_, 'o> {
     /// What is left of the motion; where little is, it gets scales of its own. None in a given period: a place of rest is a regime of that period.
     fn left<S: System + ?Sized>(&mut self, system: &S, orbit: &Orbit) -> Option<Left> {
         self.state?;
-        if rest::left(orbit, &self.whole) == Left::Rest {
+        let first = 2 * system.n_coordinates();
+        let alone = |shift: &[f64], pivot: usize| shift.iter().enumerate().all(|(i, v)| i == pivot || *v == 0.0);
+        let apart: Vec<usize> = self.symmetry.shifts.iter().filter(|(p, shift)| *p >= first && alone(shift, *p)).map(|s| s.0).collect();
+        if rest::left(orbit, &self.whole, &apart) == Left::Rest {
             return Some(Left::Rest);
         }
-        let left = rest::left(orbit, &self.scales);
+        let left = rest::left(orbit, &self.scales, &apart);
         if left != Left::Motion {
             self.shrunk = true;
             self.scales = scales(system, orbit, self.symmetry.frame.as_ref(), &self.floor);

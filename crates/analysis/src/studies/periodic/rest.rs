@@ -29,10 +29,13 @@ pub(super) enum Left {
     Rest,
 }
 
-/// What a turn is beside the scales of the first one.
-pub(super) fn left(orbit: &Orbit, scales: &[f64]) -> Left {
+/// What a turn is beside the scales of the first one. `apart` are states that go on by themselves and that nothing feels: a rotor that spins beside a machine at rest
+/// is no motion of it.
+pub(super) fn left(orbit: &Orbit, scales: &[f64], apart: &[usize]) -> Left {
     let still = vec![0.0; scales.len()];
-    let size = orbit.ranges(&still).iter().zip(scales).map(|((range, _), s)| range / s).fold(0.0, f64::max);
+    let ranges = orbit.ranges(&still);
+    let own = (0..scales.len()).filter(|i| !apart.contains(i));
+    let size = own.map(|i| ranges[i].0 / scales[i]).fold(0.0, f64::max);
     match size {
         s if s <= REST => Left::Rest,
         s if s <= SHRUNK => Left::Little,
