@@ -25,14 +25,14 @@ mod touches;
 mod touching;
 
 use program::lower::Selection;
-use program::{Acting, Behind, Bound, Evaluator, Jets, Operation, Point, Program, RESOLUTION, Tangent, passes};
+use program::{ABREAST, Acting, Behind, Bound, Evaluator, Jets, Lanes, Operation, Point, Program, RESOLUTION, Tangent, passes};
 use symbolic::Equations;
 use symbolic::connections::Law;
 use words::Text;
 
 use crate::connections::{self, Assembly, assemble_with};
 use crate::naming::configuration;
-use crate::system::Layout;
+use crate::system::{Layout, Motions};
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 use conditions::Conditions;
 use flows::Flows;
@@ -91,6 +91,8 @@ pub struct Machine {
     observing: Switches,
     /// q'', then all reactions.
     accelerations: Vec<f64>,
+    /// The same at several places.
+    abreast: Vec<Lanes>,
     solved: Solved,
     /// The guard of each dry friction, in the order of its power among the roots of `energy`.
     rubbing: Vec<Option<usize>>,
@@ -197,6 +199,7 @@ impl Machine {
             expanded: Switches::default(),
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
+            abreast: Vec::new(),
             imposed: None,
             solved: Solved::default(),
             guards,
@@ -570,6 +573,10 @@ impl System for Machine {
 
     fn supply(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
         self.supply_with(t, x, accelerations, modes)
+    }
+
+    fn supplies(&mut self, motions: &Motions, modes: &[Mode], into: &mut [Supply; ABREAST]) -> bool {
+        self.supplies_with(motions, modes, into)
     }
 
     fn energy_rate(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<f64> {

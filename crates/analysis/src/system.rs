@@ -7,7 +7,7 @@
 pub use program::Mode;
 use std::sync::Arc;
 
-use program::Behind;
+use program::{ABREAST, Behind, Lanes};
 use symbolic::connections::Impacts;
 pub use words::Quantity;
 use words::Text;
@@ -98,6 +98,19 @@ pub struct Supply {
     pub drives: f64,
     /// Power taken by dissipative elements.
     pub dissipated: f64,
+}
+
+/// States and their rates at several places of a motion, at most [`ABREAST`].
+#[derive(Clone, Debug, Default)]
+pub struct Motions {
+    /// How many places there are; what stands behind them has no meaning.
+    pub count: usize,
+    /// Time, s.
+    pub times: Lanes,
+    /// By state.
+    pub x: Vec<Lanes>,
+    /// Derivatives of the states by time.
+    pub rates: Vec<Lanes>,
 }
 
 /// What an impact did.
@@ -438,6 +451,13 @@ pub trait System {
     fn supply(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
         let p = self.powers(t, x, accelerations, modes)?;
         Some(Supply { loads: p.loads, drives: p.drives, dissipated: p.dissipated })
+    }
+
+    /// [`System::supply`] at several places of a motion at once, with the rates of its velocities for q'', the same to the last bit; false where it has to be asked for place by
+    /// place.
+    fn supplies(&mut self, motions: &Motions, modes: &[Mode], into: &mut [Supply; ABREAST]) -> bool {
+        let _ = (motions, modes, into);
+        false
     }
 
     /// dE/dt alone.

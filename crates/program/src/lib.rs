@@ -10,7 +10,7 @@
 //! its Jacobian. Switches are [`GuardOrigin`]s with [`Mode`]s.
 //! Everything that can go wrong is a [`Fault`] with code, cause and cure. It knows no mechanics: what an expression means is nobody's business here.
 //!
-//! Rooms, in order of reading: `real`, `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `solve`, `general`,
+//! Rooms, in order of reading: `real`, `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `abreast`, `solve`, `general`,
 //! `spare`, `rounding` (values) - `mode`, `guard` (switches) - `jets`, `tangent` (series, Jacobian) - [`curve`], `behind` (whether polynomials are what they stand for) -
 //! `program`, `fault`.
 //!
@@ -57,6 +57,7 @@
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
+mod abreast;
 mod behind;
 mod builder;
 pub mod curve;
@@ -78,6 +79,7 @@ mod tape;
 pub mod text;
 mod verify;
 
+pub use abreast::{ABREAST, Abreast, Lanes, Places};
 pub use behind::{Acting, Behind, HELD, Node, Seen};
 pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Construct, GuardOrigin};

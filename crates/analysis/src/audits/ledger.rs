@@ -22,9 +22,11 @@ use super::frontier::{FLOOR, Frontier};
 use super::{LEAST, ROUNDED};
 use crate::dataset::Audit;
 use crate::integrate::Step;
+use crate::system::Motions;
 use crate::{Mode, Supply, System};
 use algebra::gauss::{FIVE, TWELVE};
 use algebra::sum::two_sum;
+use program::ABREAST;
 
 /// A motion whose energy is off by more than this is wrong at any tolerance.
 const MOST: f64 = 1e-3;
@@ -41,6 +43,29 @@ struct Work {
     net: f64,
     passed: f64,
     rest: f64,
+}
+
+/// A part of a step, and places in it with their weights.
+type Points<'r> = ((f64, f64), &'r [(f64, f64)]);
+
+/// The place of a point of a rule.
+fn place((from, to): (f64, f64), u: f64) -> f64 {
+    from + 0.5 * (to - from) * (1.0 + u)
+}
+
+/// The share of a point of a rule.
+fn share((from, to): (f64, f64), weight: f64) -> f64 {
+    0.5 * weight * (to - from)
+}
+
+impl Work {
+    /// Adds the share of a point; `asked` are the powers asked for there.
+    fn add(&mut self, p: &Supply, share: f64, asked: f64) {
+        let net = p.loads + p.drives - p.dissipated;
+        self.net += share * net;
+        self.rest += share * (net - asked);
+        self.passed += share * (p.loads.abs() + p.drives.abs() + p.dissipated.abs());
+    }
 }
 
 /// Where a step has ended.
@@ -78,6 +103,9 @@ pub struct Ledger {
     powers: Vec<usize>,
     owed: f64,
     outputs: Vec<f64>,
+    motions: Motions,
+    /// Modes in which the system wants to be asked point by point.
+    refused: Option<Vec<Mode>>,
 }
 
 impl Ledger {
@@ -88,6 +116,8 @@ impl Ledger {
             powers: powers.to_vec(),
             owed: 0.0,
             outputs: vec![0.0; system.outputs().len()],
+            motions: Motions::default(),
+            refused: None,
             known: true,
             potential: None,
             open: (0.0, 0.0),
@@ -213,20 +243,46 @@ impl Ledger {
         Some([kinetic, potential])
     }
 
-    fn gauss<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, (from, to): (f64, f64), rule: &[(f64, f64)]) -> Option<Work> {
-        let n = system.n_coordinates();
+    fn gauss<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, span: (f64, f64), rule: &[(f64, f64)]) -> Option<Work> {
         let mut work = Work::default();
-        for (u, weight) in rule {
-            let tau = from + 0.5 * (to - from) * (1.0 + u);
-            step.motion_after(tau, &mut self.x, &mut self.rates);
-            let p: Supply = system.supply(step.instant(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)?;
-            let share = 0.5 * weight * (to - from);
-            let net = p.loads + p.drives - p.dissipated;
-            work.net += share * net;
-            work.rest += share * (net - self.asked(step, system, tau)?);
-            work.passed += share * (p.loads.abs() + p.drives.abs() + p.dissipated.abs());
+        for points in rule.chunks(ABREAST) {
+            if !self.goes_abreast(step) || !self.abreast(step, system, (span, points), &mut work) {
+                self.one_by_one(step, system, (span, points), &mut work)?;
+            }
         }
         Some(work)
+    }
+
+    /// Adds what some points of a rule give, one after the other.
+    fn one_by_one<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, (span, points): Points, work: &mut Work) -> Option<()> {
+        let n = system.n_coordinates();
+        for (u, weight) in points {
+            let tau = place(span, *u);
+            step.motion_after(tau, &mut self.x, &mut self.rates);
+            let p: Supply = system.supply(step.instant(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)?;
+            let asked = self.asked(step, system, tau)?;
+            work.add(&p, share(span, *weight), asked);
+        }
+        Some(())
+    }
+
+    /// Powers that are asked for are outputs, one by one; and what has been refused in these modes is not tried again.
+    fn goes_abreast(&self, step: &Step) -> bool {
+        self.powers.is_empty() && self.refused.as_ref() != Some(&step.modes)
+    }
+
+    /// The same at once, bit for bit; false where the system has to be asked point by point.
+    fn abreast<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, (span, points): Points, work: &mut Work) -> bool {
+        let mut taus = [0.0; ABREAST];
+        taus.iter_mut().zip(points).for_each(|(tau, (u, _))| *tau = place(span, *u));
+        step.motions_after(&taus[..points.len()], &mut self.motions);
+        let mut supplies = [Supply::default(); ABREAST];
+        if !system.supplies(&self.motions, &step.modes, &mut supplies) {
+            self.refused = Some(step.modes.clone());
+            return false;
+        }
+        points.iter().zip(&supplies).for_each(|((_, weight), p)| work.add(p, share(span, *weight), 0.0));
+        true
     }
 
     /// Sum of the powers asked for, where the state is that of tau.

@@ -1,11 +1,13 @@
 //! One accepted step: the Taylor polynomials of all states, which are the dense output.
 
 use super::series::Series;
+use crate::system::Motions;
 use crate::{Mode, System};
 use algebra::sum::Instant;
+use program::{ABREAST, Lanes};
 
 /// States whose polynomials are evaluated side by side: enough to hide that a product and a sum take some four cycles each.
-const ABREAST: usize = 4;
+const SIDE_BY_SIDE: usize = 4;
 /// Share of the surroundings of a change point in which no force follows from the equations.
 const IN_IT: f64 = 1e-3;
 /// Share of the way to a change point, on both its sides, on which forces have fewer digits than audits ask for.
@@ -132,20 +134,41 @@ impl Step {
         }
     }
 
+    /// [`Step::motion_after`] at several places, at most [`ABREAST`], bit for bit.
+    pub fn motions_after(&self, taus: &[f64], motions: &mut Motions) {
+        let (n, count) = (self.states.n_rows(), taus.len().min(ABREAST));
+        motions.count = count;
+        motions.x.resize(n, [0.0; ABREAST]);
+        motions.rates.resize(n, [0.0; ABREAST]);
+        let taus: Lanes = std::array::from_fn(|lane| taus.get(lane).copied().unwrap_or_default());
+        motions.times = taus.map(|tau| self.instant(tau).high);
+        for (i, (x, rate)) in motions.x.iter_mut().zip(&mut motions.rates).enumerate() {
+            let c = self.states.row(i);
+            let [values, slopes] = horner(&c[1..], &taus);
+            *rate = std::array::from_fn(|lane| values[lane] + taus[lane] * slopes[lane]);
+            let (first, rest) = (c[0], self.low[i]);
+            let own: Lanes = std::array::from_fn(|lane| first + (values[lane] * taus[lane] + rest));
+            *x = match self.turned.get(i) {
+                Some([high, low]) => own.map(|own| high + (own + low)),
+                None => own,
+            };
+        }
+    }
+
     /// [`increment`] of every state. Horner's rule waits for its last sum at each coefficient, so several states are worked through side by side.
     fn increments(&self, tau: f64, into: &mut [f64]) {
-        let mut groups = into.chunks_exact_mut(ABREAST);
+        let mut groups = into.chunks_exact_mut(SIDE_BY_SIDE);
         let mut i = 0;
         for group in &mut groups {
-            let rows: [&[f64]; ABREAST] = std::array::from_fn(|lane| self.states.row(i + lane));
-            let mut sums = [0.0; ABREAST];
+            let rows: [&[f64]; SIDE_BY_SIDE] = std::array::from_fn(|lane| self.states.row(i + lane));
+            let mut sums = [0.0; SIDE_BY_SIDE];
             for k in (1..rows[0].len()).rev() {
-                for lane in 0..ABREAST {
+                for lane in 0..SIDE_BY_SIDE {
                     sums[lane] = sums[lane] * tau + rows[lane][k];
                 }
             }
             group.iter_mut().zip(sums).for_each(|(change, sum)| *change = sum * tau);
-            i += ABREAST;
+            i += SIDE_BY_SIDE;
         }
         for (k, change) in groups.into_remainder().iter_mut().enumerate() {
             *change = increment(self.states.row(i + k), tau);
@@ -155,19 +178,19 @@ impl Step {
     /// [`increment_and_slope`] of every state, side by side too.
     pub(super) fn increments_and_slopes(&self, tau: f64, changes: &mut [f64], slopes: &mut [f64]) {
         let mut i = 0;
-        while i + ABREAST <= changes.len() {
-            let rows: [&[f64]; ABREAST] = std::array::from_fn(|lane| self.states.row(i + lane));
-            let (mut values, mut rates) = ([0.0; ABREAST], [0.0; ABREAST]);
+        while i + SIDE_BY_SIDE <= changes.len() {
+            let rows: [&[f64]; SIDE_BY_SIDE] = std::array::from_fn(|lane| self.states.row(i + lane));
+            let (mut values, mut rates) = ([0.0; SIDE_BY_SIDE], [0.0; SIDE_BY_SIDE]);
             for k in (1..rows[0].len()).rev() {
-                for lane in 0..ABREAST {
+                for lane in 0..SIDE_BY_SIDE {
                     rates[lane] = rates[lane] * tau + values[lane];
                     values[lane] = values[lane] * tau + rows[lane][k];
                 }
             }
-            for lane in 0..ABREAST {
+            for lane in 0..SIDE_BY_SIDE {
                 (changes[i + lane], slopes[i + lane]) = (values[lane] * tau, values[lane] + tau * rates[lane]);
             }
-            i += ABREAST;
+            i += SIDE_BY_SIDE;
         }
         for i in i..changes.len() {
             (changes[i], slopes[i]) = increment_and_slope(self.states.row(i), tau);
@@ -210,6 +233,19 @@ pub(crate) fn increment_and_slope(c: &[f64], tau: f64) -> (f64, f64) {
         value = value * tau + c_k;
     }
     (value * tau, value + tau * rate)
+}
+
+/// The polynomial with these coefficients, and its derivative, at several places. A function of its own: inside of others the compiler gives up vector registers.
+#[inline(never)]
+fn horner(c: &[f64], taus: &Lanes) -> [Lanes; 2] {
+    let (mut values, mut slopes) = ([0.0; ABREAST], [0.0; ABREAST]);
+    for c_k in c.iter().rev() {
+        for lane in 0..ABREAST {
+            slopes[lane] = slopes[lane] * taus[lane] + values[lane];
+            values[lane] = values[lane] * taus[lane] + c_k;
+        }
+    }
+    [values, slopes]
 }
 
 /// x'(tau).

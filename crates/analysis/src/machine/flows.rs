@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use program::{Bound, ENERGY, Evaluator, Operation, passes};
+use program::{Abreast, Bound, ENERGY, Evaluator, Operation, passes};
 use symbolic::Equations;
 use symbolic::connections::Law;
 
@@ -15,6 +15,8 @@ pub(super) struct Flows {
     pub(super) levels: Evaluator,
     /// Loads, drives, dissipated.
     pub(super) supply: Evaluator,
+    /// The same at several points at once, where the tape allows it.
+    pub(super) supplies: Option<Abreast>,
     /// For each reaction that the supply reads the guard of its contact; none for any other reaction. Reactions cost a solution of the equations, unless
     /// they are those of open contacts, which are nothing.
     pub(super) reads: Vec<Option<usize>>,
@@ -55,6 +57,7 @@ impl Flows {
         let reads = supply.tape().body.iter().filter_map(|i| reaction(&i.operation, n)).map(contact).collect();
         let frictions: Vec<usize> = (ENERGY.len()..bound.program().energy.roots.len()).collect();
         let (levels, rubbed) = (part(bound, &roots(&["kinetic", "potential"]))?, part(bound, &frictions)?);
-        Ok(Flows { levels, supply, reads, rubbed, rate: None })
+        let supplies = Abreast::new(&supply);
+        Ok(Flows { levels, supply, supplies, reads, rubbed, rate: None })
     }
 }

@@ -1,18 +1,17 @@
 //! Energies, their rate and what supplies it, part by part.
 
-use program::Point;
+use program::{ABREAST, Places, Point};
 
 use super::flows::{part, reaction, roots};
 use super::{Machine, Switches};
 use crate::Mode;
-use crate::system::Supply;
+use crate::system::{Motions, Supply};
 
 impl Machine {
     /// See [`crate::System::supply`].
     pub(super) fn supply_with(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
         self.observing.set(modes, &self.bound);
-        let open = |guard: &Option<usize>| guard.is_some_and(|g| modes.get(g) == Some(&Mode::Positive));
-        if self.flows.reads.iter().all(open) {
+        if self.reads_nothing(modes) {
             let n = self.bound.program().coordinates;
             self.accelerations[..n].copy_from_slice(&accelerations[..n]);
             self.accelerations[n..].fill(0.0);
@@ -23,6 +22,38 @@ impl Machine {
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         let [loads, drives, dissipated] = *self.flows.supply.evaluate(&point).ok()? else { return None };
         Some(Supply { loads, drives, dissipated })
+    }
+
+    /// Whether the supply reads no reactions, or only those of open contacts, which are nothing.
+    fn reads_nothing(&self, modes: &[Mode]) -> bool {
+        self.flows.reads.iter().all(|guard| guard.is_some_and(|g| modes.get(g) == Some(&Mode::Positive)))
+    }
+
+    /// See [`crate::System::supplies`].
+    pub(super) fn supplies_with(&mut self, motions: &Motions, modes: &[Mode], into: &mut [Supply; ABREAST]) -> bool {
+        self.observing.set(modes, &self.bound);
+        if self.flows.supplies.is_none() || !self.reads_nothing(modes) {
+            return false;
+        }
+        let n = self.bound.program().coordinates;
+        self.abreast.clear();
+        self.abreast.extend_from_slice(&motions.rates[n..2 * n]);
+        self.abreast.resize(self.accelerations.len(), [0.0; ABREAST]);
+        let Switches { modes, active, .. } = &self.observing;
+        let Motions { count, times, x, .. } = motions;
+        let places = Places { count: *count, times, states: x, accelerations: &self.abreast, modes, active };
+        let Some(supplies) = self.flows.supplies.as_mut().filter(|_| *count <= ABREAST) else { return false };
+        if !supplies.evaluate(&places) {
+            return false;
+        }
+        let [loads, drives, dissipated] = [0, 1, 2].map(|i| *supplies.root(i));
+        // as after the last of them by itself
+        let last = count.saturating_sub(1);
+        self.accelerations.iter_mut().zip(&self.abreast).for_each(|(a, lanes)| *a = lanes[last]);
+        for (lane, supply) in into.iter_mut().enumerate() {
+            *supply = Supply { loads: loads[lane], drives: drives[lane], dissipated: dissipated[lane] };
+        }
+        true
     }
 
     /// See [`crate::System::energy_rate`].

@@ -3,7 +3,7 @@
 use crate::common;
 use common::mechanisms::{connection, friction};
 use common::*;
-use program::{Bound, Construct, Mode, Point, lower};
+use program::{ABREAST, Abreast, Bound, Construct, Evaluator, Lanes, Mode, Places, Point, lower};
 use proptest::prelude::*;
 use std::sync::Arc;
 use symbolic::connections::Normal;
@@ -233,6 +233,65 @@ proptest! {
             prop_assert!((slope - direct).abs() < RANDOM * scale, "{}: {} against {}", i, slope, direct);
         }
     }
+}
+
+/// Outputs of the system, one of them with a switch.
+fn observed(steps: &[(u8, usize, usize)]) -> (Bound, Evaluator) {
+    let mut e = empty(Graph::new());
+    let mut stack = plain(&mut e, steps);
+    let last = grow(&mut e.graph, &mut stack, &steps[..1]);
+    let folded = e.graph.call(Function::Abs, &[last]);
+    for (i, formula) in stack.iter().chain([&folded]).enumerate() {
+        output(&mut e, &format!("f{i}"), *formula);
+    }
+    let program = Arc::new(lower::equations(&e).unwrap());
+    let bound = Bound::new(&program, &[0.7]).unwrap();
+    let outputs = bound.evaluator(&bound.program().outputs).unwrap();
+    (bound, outputs)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Several points at once against one after the other: the same operations, hence the same bits. Where one point has no value, nothing is told.
+    #[test]
+    fn points_abreast_have_the_bits_of_single_ones(
+        steps in proptest::collection::vec((any::<u8>(), 0usize..50, 0usize..50), 3..24),
+        states in proptest::collection::vec(proptest::array::uniform5(-1.5f64..1.5), 1..=ABREAST),
+        side in 0usize..3,
+        holds in any::<bool>(),
+    ) {
+        // roots and powers go point by point
+        let steps: Vec<_> = steps.into_iter().map(|(kind, i, j)| (if matches!(kind % 19, 3 | 4) { 0 } else { kind }, i, j)).collect();
+        let (bound, mut single) = observed(&steps);
+        let mut abreast = Abreast::new(&single).unwrap();
+        let modes = vec![[Mode::Negative, Mode::Zero, Mode::Positive][side]; bound.program().guards.len()];
+        let active = vec![holds; modes.len()];
+        let count = states.len();
+        let lanes = |of: &dyn Fn(usize) -> f64| -> Lanes { std::array::from_fn(|lane| of(lane.min(count - 1))) };
+        let times = lanes(&|lane| 0.1 * lane as f64);
+        let by_state: Vec<Lanes> = (0..5).map(|i| lanes(&|lane| states[lane][i])).collect();
+        let places = Places { count, times: &times, states: &by_state, accelerations: &[[0.5; ABREAST]; 2], modes: &modes, active: &active };
+        let known = abreast.evaluate(&places);
+        for (lane, x) in states.iter().enumerate() {
+            let point = Point { time: times[lane], states: x, accelerations: &[0.5; 2], modes: Some(&modes), active: Some(&active) };
+            let Ok(values) = single.evaluate(&point) else {
+                prop_assert!(!known);
+                return Ok(());
+            };
+            for (i, value) in values.iter().enumerate().filter(|_| known) {
+                prop_assert_eq!(value.to_bits(), abreast.root(i)[lane].to_bits());
+            }
+        }
+        prop_assert!(known);
+    }
+}
+
+#[test]
+fn what_depends_on_points_before_goes_point_by_point() {
+    // 3: a square root
+    let (_, single) = observed(&[(3, 1, 1), (0, 0, 0), (0, 0, 0)]);
+    assert!(Abreast::new(&single).is_none());
 }
 
 proptest! {
