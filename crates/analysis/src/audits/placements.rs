@@ -12,6 +12,9 @@ pub(super) const N: usize = 16;
 const MAGNIFIED: f64 = 4.0 * (N * N) as f64;
 /// Share of a placement's change that its last coefficients may have.
 const TAIL: f64 = 1e-12;
+/// How many of the last coefficients must have died out, and how many of the first, but the mean, tell how far a placement moves.
+const LAST: usize = 3;
+const FIRST: usize = N / 2 - 1;
 /// How often the stretch that is looked at is halved.
 const HALVINGS: usize = 24;
 /// Numbers of a body.
@@ -44,9 +47,14 @@ impl Wrench {
     }
 }
 
+/// A number at the points of a stretch, or numbers that belong to them.
+type Column = [f64; N + 1];
+
 /// Rows of placements at the points of a stretch.
 pub(super) struct Stretch {
     pub nodes: Vec<Vec<f64>>,
+    /// The same by number, those of bodies.
+    columns: Vec<Column>,
     /// Half its length.
     pub half: f64,
 }
@@ -56,16 +64,24 @@ pub(super) struct Stretch {
 pub(super) struct Placements {
     bodies: usize,
     derivative: Vec<f64>,
-    /// cos(π i/N).
-    cosines: Vec<f64>,
+    /// The same by columns.
+    across: Vec<Column>,
+    /// cos(π j k/N) by j, of the last k and of the first but 0.
+    last: [[f64; LAST]; N + 1],
+    first: [[f64; FIRST]; N + 1],
 }
 
 impl Placements {
     pub(super) fn new(bodies: usize) -> Placements {
+        let cosines: Vec<f64> = (0..2 * N).map(|i| elementary::cos(std::f64::consts::PI * i as f64 / N as f64)).collect();
+        let wave = |j: usize, k: usize| cosines[j * k % (2 * N)];
+        let derivative = chebyshev();
         Placements {
             bodies,
-            derivative: chebyshev(),
-            cosines: (0..2 * N).map(|i| elementary::cos(std::f64::consts::PI * i as f64 / N as f64)).collect(),
+            across: (0..=N).map(|j| std::array::from_fn(|k| derivative[k * (N + 1) + j])).collect(),
+            derivative,
+            last: std::array::from_fn(|j| std::array::from_fn(|k| wave(j, N + 1 - LAST + k))),
+            first: std::array::from_fn(|j| std::array::from_fn(|k| wave(j, 1 + k))),
         }
     }
 
@@ -74,8 +90,11 @@ impl Placements {
         let mut half = longest;
         for _ in 0..HALVINGS {
             let nodes: Option<Vec<Vec<f64>>> = (0..=N).map(|k| node(half * abscissa(k))).collect();
-            if let Some(nodes) = nodes.filter(|nodes| self.is_resolved(nodes)) {
-                return Some(Stretch { nodes, half });
+            if let Some(nodes) = nodes {
+                let columns: Vec<Column> = (0..BODY * self.bodies).map(|i| std::array::from_fn(|k| nodes[k][i])).collect();
+                if self.is_resolved(&columns) {
+                    return Some(Stretch { nodes, columns, half });
+                }
             }
             half *= 0.5;
         }
@@ -83,34 +102,34 @@ impl Placements {
     }
 
     /// Whether the last coefficients of Chebyshev's series of every placement have died out: a step may hold many turns of a shaft.
-    fn is_resolved(&self, nodes: &[Vec<f64>]) -> bool {
+    fn is_resolved(&self, columns: &[Column]) -> bool {
         let placements = (0..self.bodies).flat_map(|b| (1..13).map(move |i| BODY * b + i));
         placements.into_iter().all(|i| {
+            let column = &columns[i];
             // most numbers of a plane machine do not move
-            if nodes.iter().all(|n| n[i] == nodes[0][i]) {
+            if column.iter().all(|v| *v == column[0]) {
                 return true;
             }
-            let rounding = 8.0 * f64::EPSILON * nodes.iter().fold(0.0_f64, |m, n| m.max(n[i].abs()));
-            let tail = self.tail(nodes, i);
-            let size = || (1..N / 2).fold(0.0_f64, |m, k| m.max(self.coefficient(nodes, i, k).abs()));
+            let rounding = 8.0 * f64::EPSILON * largest(column);
+            let tail = self.tail(column);
+            let size = || largest(&coefficients(&self.first, column));
             tail <= rounding || tail <= TAIL * size()
         })
     }
 
-    /// The k-th of Chebyshev's coefficients of a number along a stretch.
-    fn coefficient(&self, nodes: &[Vec<f64>], i: usize, k: usize) -> f64 {
-        let end = |j: usize| if j == 0 || j == N { 0.5 } else { 1.0 };
-        2.0 / N as f64 * (0..=N).map(|j| end(j) * nodes[j][i] * self.cosines[j * k % (2 * N)]).sum::<f64>()
+    /// The largest of the last of Chebyshev's coefficients.
+    fn tail(&self, column: &Column) -> f64 {
+        largest(&coefficients(&self.last, column))
     }
 
-    /// The largest of the last ones.
-    fn tail(&self, nodes: &[Vec<f64>], i: usize) -> f64 {
-        (N - 2..=N).fold(0.0_f64, |m, k| m.max(self.coefficient(nodes, i, k).abs()))
+    /// The derivative of a number at all points.
+    fn derivatives(&self, column: &Column, half: f64) -> Column {
+        summed(&self.across, column).map(|sum| sum / half)
     }
 
     /// How a body moves in the middle: the velocity of its particle at the origin of the ground, and its angular velocity.
     pub(super) fn moves(&self, stretch: &Stretch, body: usize) -> [Vector; 2] {
-        let of = |k: usize, i: usize| stretch.nodes[k][BODY * body + i];
+        let of = |k: usize, i: usize| stretch.columns[BODY * body + i][k];
         let derivative = |i: usize| -> f64 { (0..=N).map(|j| self.derivative[N / 2 * (N + 1) + j] * of(j, i)).sum::<f64>() / stretch.half };
         let velocity = [1, 2, 3].map(derivative);
         let own = [0, 1, 2].map(|i| [0, 1, 2].map(|j| of(N / 2, 4 + 3 * i + j)));
@@ -123,9 +142,12 @@ impl Placements {
     /// p' and L' in the middle, and the rounding of both.
     ///
     /// A place is rounded, it moves while the time is rounded, and the last coefficients are what the points do not resolve.
-    pub(super) fn rates(&self, Stretch { nodes, half }: &Stretch, (t, body): (f64, usize)) -> [Vector; 3] {
-        let of = |k: usize, i: usize| nodes[k][BODY * body + i];
-        let derivative = |i: usize, k: usize| -> f64 { (0..=N).map(|j| self.derivative[k * (N + 1) + j] * of(j, i)).sum::<f64>() / half };
+    pub(super) fn rates(&self, Stretch { columns, half, .. }: &Stretch, (t, body): (f64, usize)) -> [Vector; 3] {
+        let own = &columns[BODY * body..BODY * (body + 1)];
+        let of = |k: usize, i: usize| own[i][k];
+        // of the centre and of the rotation
+        let slopes: [Column; 12] = std::array::from_fn(|i| self.derivatives(&own[i + 1], *half));
+        let derivative = |i: usize, k: usize| slopes[i - 1][k];
         let mass = of(N / 2, 0);
         let momentum = |k: usize| -> (Vector, Vector) {
             let p = [1, 2, 3].map(|i| mass * derivative(i, k));
@@ -154,13 +176,38 @@ impl Placements {
         let far = (0..=N).fold(0.0_f64, |m, k| m.max(norm([of(k, 1), of(k, 2), of(k, 3)])));
         let inertia = [13, 14, 15].iter().fold(0.0_f64, |m, i| m.max(of(N / 2, *i).abs()));
         let speed = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(derivative(i, N / 2).abs()));
-        let tail = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(self.tail(nodes, BODY * body + i)));
+        let tail = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(self.tail(&own[i])));
         let place = f64::EPSILON * (far + t.abs() * speed(1, 4)) + tail(1, 4);
         let turn = f64::EPSILON * (1.0 + t.abs() * speed(4, 13)) + tail(4, 13);
         let noise = MAGNIFIED / (half * half);
         let heavy = mass.abs();
         [p, l, [noise * heavy * place, noise * (heavy * far * place + inertia * turn), 0.0]]
     }
+}
+
+/// Chebyshev's coefficients of a number along a stretch, of the orders of these waves.
+fn coefficients<const K: usize>(waves: &[[f64; K]; N + 1], column: &Column) -> [f64; K] {
+    let mut ended = *column;
+    (ended[0], ended[N]) = (0.5 * column[0], 0.5 * column[N]);
+    summed(waves, &ended).map(|sum| 2.0 / N as f64 * sum)
+}
+
+/// Σ_j c_j rows_j, in the order of j. A function of its own: inside of others the compiler gives up vector registers.
+#[inline(never)]
+fn summed<const K: usize>(rows: &[[f64; K]], column: &Column) -> [f64; K] {
+    // nothing, as a sum begins
+    let mut sums = [-0.0; K];
+    for (row, value) in rows.iter().zip(column) {
+        for k in 0..K {
+            sums[k] += value * row[k];
+        }
+    }
+    sums
+}
+
+/// The largest without its sign; what is no number does not count.
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0_f64, |m, v| m.max(v.abs()))
 }
 
 /// ω from Ω = R' Rᵀ.
