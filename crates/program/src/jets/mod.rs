@@ -255,12 +255,7 @@ impl Jets {
             } else {
                 self.live.iter().for_each(|step| memory.advance(step, k, &self.plan));
             }
-            let divisor = (k + 1) as f64;
-            for (row, rate) in self.plan.states.iter().zip(&self.plan.rates) {
-                let next = memory.get(*rate, k) / divisor;
-                sound &= next.is_finite();
-                memory.put(*row, k + 1, next);
-            }
+            sound &= memory.raise(&self.plan, k);
         }
         for step in &self.tail {
             match self.order {

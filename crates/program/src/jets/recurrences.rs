@@ -108,8 +108,52 @@ pub(super) struct Memory {
 /// Runs are multiplied in groups of this many.
 const LANES: usize = 4;
 
-/// Σ a_i b_i over whole groups, in a fixed order.
-#[inline(always)]
+/// The cells while coefficients of one order are found.
+struct Order<'m> {
+    cells: &'m mut [f64],
+    /// Length of both copies of a row.
+    width: usize,
+    k: usize,
+    /// Where coefficient k stands behind the start of its row in the copy that runs backwards.
+    back: usize,
+}
+
+impl Order<'_> {
+    #[inline(always)]
+    fn get(&self, row: Row) -> f64 {
+        self.cells[row as usize * self.width + self.k]
+    }
+
+    #[inline(always)]
+    fn put(&mut self, row: Row, value: f64) {
+        let start = row as usize * self.width;
+        self.cells[start + self.k] = value;
+        self.cells[start + self.back] = value;
+    }
+
+    /// The run a_from, a_{from+1}, ... of k - less + 1 coefficients; what is behind them in the last group meets zeros and must be finite.
+    #[inline(always)]
+    fn run(&self, (a, from): (Row, usize), less: usize) -> &[f64] {
+        let start = a as usize * self.width + from;
+        &self.cells[start..start + (self.k - less + LANES) / LANES * LANES]
+    }
+
+    /// The run backwards from coefficient k - less.
+    #[inline(always)]
+    fn back(&self, b: Row, less: usize) -> &[f64] {
+        let start = b as usize * self.width + self.back + less;
+        &self.cells[start..start + (self.k - less + LANES) / LANES * LANES]
+    }
+
+    /// w_{k-1} = k a_k.
+    #[inline(always)]
+    fn weigh(&mut self, weighted: Row, a: Row) {
+        self.cells[weighted as usize * self.width + self.k - 1] = self.k as f64 * self.get(a);
+    }
+}
+
+/// Σ a_i b_i over whole groups, in a fixed order. A function of its own: inside of others the compiler gives up vector registers.
+#[inline(never)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0_f64; LANES];
     for (x, y) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
@@ -118,6 +162,20 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
         }
     }
     (sums[0] + sums[2]) + (sums[1] + sums[3])
+}
+
+/// The same of one run with two.
+#[inline(never)]
+fn dots(a: &[f64], b: [&[f64]; 2]) -> [f64; 2] {
+    let (mut first, mut second) = ([0.0_f64; LANES], [0.0_f64; LANES]);
+    let runs = a.as_chunks::<LANES>().0.iter().zip(b[0].as_chunks::<LANES>().0).zip(b[1].as_chunks::<LANES>().0);
+    for ((x, y), z) in runs {
+        for lane in 0..LANES {
+            first[lane] += x[lane] * y[lane];
+            second[lane] += x[lane] * z[lane];
+        }
+    }
+    [first, second].map(|sums| (sums[0] + sums[2]) + (sums[1] + sums[3]))
 }
 
 impl Memory {
@@ -296,36 +354,75 @@ impl Memory {
 
     fn finish_solve(&mut self, first: Row, (index, size): (usize, usize), k: usize, mut h: Vec<f64>) {
         self.factors[index].solve(&mut h[..size]);
+        let mut order = self.at(k);
         for (i, value) in (0..).zip(&h[..size]) {
-            self.put(first + i, k, *value);
+            order.put(first + i, *value);
         }
         self.scratch = h;
+    }
+
+    /// The cells at order k.
+    #[inline(always)]
+    fn at(&mut self, k: usize) -> Order<'_> {
+        Order { width: 2 * self.stride, k, back: self.stride + self.order - k, cells: &mut self.cells }
+    }
+
+    /// x_{k+1} = f_k/(k+1); false when one of them is not finite.
+    pub(super) fn raise(&mut self, plan: &Plan, k: usize) -> bool {
+        let divisor = (k + 1) as f64;
+        let mut order = self.at(k + 1);
+        let mut sound = true;
+        for (row, rate) in plan.states.iter().zip(&plan.rates) {
+            let next = order.cells[*rate as usize * order.width + k] / divisor;
+            sound &= next.is_finite();
+            order.put(*row, next);
+        }
+        sound
     }
 
     /// Order k >= 1.
     #[inline(always)]
     pub(super) fn advance(&mut self, step: &Step, k: usize, plan: &Plan) {
-        let value = match *step {
-            Step::Copy { a, .. } => self.get(a, k),
-            Step::Scale { factor, a, .. } => factor * self.get(a, k),
-            Step::Linear { start, end, .. } => {
-                plan.terms[start as usize..end as usize].iter().fold(0.0, |sum, (f, a)| sum + f * self.get(*a, k))
+        let mut order = self.at(k);
+        let (row, value) = match *step {
+            Step::Copy { row, a } => (row, order.get(a)),
+            Step::Scale { row, factor, a, .. } => (row, factor * order.get(a)),
+            Step::Linear { row, start, end, .. } => {
+                (row, plan.terms[start as usize..end as usize].iter().fold(0.0, |sum, (f, a)| sum + f * order.get(*a)))
             }
-            Step::Multiply { a, b, .. } => self.cauchy(a, 0, b, k),
-            Step::Square { a, .. } => self.cauchy(a, 0, a, k),
+            Step::Multiply { row, a, b } => (row, dot(order.run((a, 0), 0), order.back(b, 0))),
+            Step::Square { row, a } => (row, dot(order.run((a, 0), 0), order.back(a, 0))),
+            Step::SinCos { row, a, weighted, sign } => {
+                order.weigh(weighted, a);
+                let [s, c] = dots(order.run((weighted, 0), 1), [order.back(row + 1, 1), order.back(row, 1)]);
+                order.put(row + 1, sign * c / k as f64);
+                (row, s / k as f64)
+            }
+            Step::Solve { row, system } => {
+                self.solve(row, system as usize, k, plan);
+                return;
+            }
+            Step::System { row, system } => {
+                self.system(row, system as usize, k);
+                return;
+            }
+            _ => {
+                self.advance_rarely(step, k);
+                return;
+            }
+        };
+        order.put(row, value);
+    }
+
+    /// The same of operations that are few.
+    fn advance_rarely(&mut self, step: &Step, k: usize) {
+        let value = match *step {
             Step::Divide { row, a, b } => (self.get(a, k) - self.partial(row, 0, b, k)) / self.get(b, 0),
             Step::SquareRoot { row, a } => self.square_root(row, a, k),
             Step::Power { row, a, p, weighted } => self.power(row, (a, p), weighted, k),
             Step::Exp { row, a, weighted } => {
                 self.weigh(weighted, a, k);
                 self.cauchy(weighted, 0, row, k - 1) / k as f64
-            }
-            Step::SinCos { row, a, weighted, sign } => {
-                self.weigh(weighted, a, k);
-                let s = self.cauchy(weighted, 0, row + 1, k - 1) / k as f64;
-                let c = sign * self.cauchy(weighted, 0, row, k - 1) / k as f64;
-                self.put(row + 1, k, c);
-                s
             }
             Step::Tangent { row, a, helper, sign } => {
                 self.weigh(helper, a, k);
@@ -337,14 +434,8 @@ impl Memory {
             }
             Step::Inverse { a, f, helper, .. } => self.inverse(a, f, helper, k),
             Step::Atan2 { y, x, helper, .. } => self.atan2(y, x, helper, k),
-            Step::Solve { row, system } => {
-                self.solve(row, system as usize, k, plan);
-                return;
-            }
-            Step::System { row, system } => {
-                self.system(row, system as usize, k);
-                return;
-            }
+            // done where they are found
+            _ => return,
         };
         self.put(step.row(), k, value);
     }
@@ -419,14 +510,19 @@ impl Memory {
     fn solve(&mut self, first: Row, index: usize, k: usize, plan: &Plan) {
         let system = &plan.systems[index];
         let mut h = std::mem::take(&mut self.scratch);
+        let order = self.at(k);
         for (value, row) in h.iter_mut().zip(&system.right) {
-            *value = self.get(*row, k);
+            *value = order.get(*row);
         }
         // M_1 .. M_k meet a_{k-1} .. a_0
-        for (i, j, entry) in &system.moving {
-            h[*i as usize] -= self.cauchy(*entry, 1, first + j, k - 1);
-            if i != j {
-                h[*j as usize] -= self.cauchy(*entry, 1, first + i, k - 1);
+        for &(i, j, entry) in &system.moving {
+            let run = order.run((entry, 1), 1);
+            if i == j {
+                h[i as usize] -= dot(run, order.back(first + j, 1));
+            } else {
+                let [at_i, at_j] = dots(run, [order.back(first + j, 1), order.back(first + i, 1)]);
+                h[i as usize] -= at_i;
+                h[j as usize] -= at_j;
             }
         }
         self.finish_solve(first, (index, system.size), k, h);
