@@ -4,6 +4,7 @@
 
 use crate::system::Layout;
 use algebra::elementary;
+use algebra::lanes::combined;
 use algebra::space::{Vector, cross, dot, minus, norm};
 
 /// Points less one; even, so that the middle of the stretch is one of them.
@@ -124,7 +125,7 @@ impl Placements {
 
     /// The derivative of a number at all points.
     fn derivatives(&self, column: &Column, half: f64) -> Column {
-        summed(&self.across, column).map(|sum| sum / half)
+        combined(&self.across, column).map(|sum| sum / half)
     }
 
     /// How a body moves in the middle: the velocity of its particle at the origin of the ground, and its angular velocity.
@@ -189,20 +190,7 @@ impl Placements {
 fn coefficients<const K: usize>(waves: &[[f64; K]; N + 1], column: &Column) -> [f64; K] {
     let mut ended = *column;
     (ended[0], ended[N]) = (0.5 * column[0], 0.5 * column[N]);
-    summed(waves, &ended).map(|sum| 2.0 / N as f64 * sum)
-}
-
-/// Σ_j c_j rows_j, in the order of j. A function of its own: inside of others the compiler gives up vector registers.
-#[inline(never)]
-fn summed<const K: usize>(rows: &[[f64; K]], column: &Column) -> [f64; K] {
-    // nothing, as a sum begins
-    let mut sums = [-0.0; K];
-    for (row, value) in rows.iter().zip(column) {
-        for k in 0..K {
-            sums[k] += value * row[k];
-        }
-    }
-    sums
+    combined(waves, &ended).map(|sum| 2.0 / N as f64 * sum)
 }
 
 /// The largest without its sign; what is no number does not count.

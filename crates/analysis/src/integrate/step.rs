@@ -3,6 +3,7 @@
 use super::series::Series;
 use crate::system::Motions;
 use crate::{Mode, System};
+use algebra::lanes;
 use algebra::sum::Instant;
 use program::{ABREAST, Lanes};
 
@@ -235,16 +236,11 @@ pub(crate) fn increment_and_slope(c: &[f64], tau: f64) -> (f64, f64) {
     (value * tau, value + tau * rate)
 }
 
-/// The polynomial with these coefficients, and its derivative, at several places. A function of its own: inside of others the compiler gives up vector registers.
-#[inline(never)]
+/// The polynomial with these coefficients, and its derivative, at several places.
 fn horner(c: &[f64], taus: &Lanes) -> [Lanes; 2] {
     let (mut values, mut slopes) = ([0.0; ABREAST], [0.0; ABREAST]);
-    for c_k in c.iter().rev() {
-        for lane in 0..ABREAST {
-            slopes[lane] = slopes[lane] * taus[lane] + values[lane];
-            values[lane] = values[lane] * taus[lane] + c_k;
-        }
-    }
+    let groups = values.as_chunks_mut().0.iter_mut().zip(slopes.as_chunks_mut().0).zip(taus.as_chunks().0);
+    groups.for_each(|((value, slope), taus)| [*value, *slope] = lanes::horner(c, taus));
     [values, slopes]
 }
 

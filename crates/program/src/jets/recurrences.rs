@@ -10,6 +10,7 @@ use crate::general::General;
 use crate::solve::{Defect, Factor};
 use crate::{Mode, Unary};
 use algebra::elementary;
+use algebra::lanes::{product, products};
 
 impl Step {
     /// First row written.
@@ -152,32 +153,6 @@ impl Order<'_> {
     }
 }
 
-/// Σ a_i b_i over whole groups, in a fixed order. A function of its own: inside of others the compiler gives up vector registers.
-#[inline(never)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0_f64; LANES];
-    for (x, y) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
-        for lane in 0..LANES {
-            sums[lane] += x[lane] * y[lane];
-        }
-    }
-    (sums[0] + sums[2]) + (sums[1] + sums[3])
-}
-
-/// The same of one run with two.
-#[inline(never)]
-fn dots(a: &[f64], b: [&[f64]; 2]) -> [f64; 2] {
-    let (mut first, mut second) = ([0.0_f64; LANES], [0.0_f64; LANES]);
-    let runs = a.as_chunks::<LANES>().0.iter().zip(b[0].as_chunks::<LANES>().0).zip(b[1].as_chunks::<LANES>().0);
-    for ((x, y), z) in runs {
-        for lane in 0..LANES {
-            first[lane] += x[lane] * y[lane];
-            second[lane] += x[lane] * z[lane];
-        }
-    }
-    [first, second].map(|sums| (sums[0] + sums[2]) + (sums[1] + sums[3]))
-}
-
 impl Memory {
     pub(super) fn new(plan: &Plan, order: usize) -> Memory {
         let stride = (order + 1).next_multiple_of(LANES) + LANES;
@@ -246,7 +221,7 @@ impl Memory {
     fn cauchy(&self, a: Row, from: usize, b: Row, k: usize) -> f64 {
         let length = (k + LANES) / LANES * LANES;
         let (a, b) = (self.forward(a) + from, self.forward(b) + self.stride + self.order - k);
-        dot(&self.cells[a..a + length], &self.cells[b..b + length])
+        product(&self.cells[a..a + length], &self.cells[b..b + length])
     }
 
     /// Σ_{j=from}^{k-1} c_j b_{k-j} where c_k is not known yet: counted as zero.
@@ -390,11 +365,11 @@ impl Memory {
             Step::Linear { row, start, end, .. } => {
                 (row, plan.terms[start as usize..end as usize].iter().fold(0.0, |sum, (f, a)| sum + f * order.get(*a)))
             }
-            Step::Multiply { row, a, b } => (row, dot(order.run((a, 0), 0), order.back(b, 0))),
-            Step::Square { row, a } => (row, dot(order.run((a, 0), 0), order.back(a, 0))),
+            Step::Multiply { row, a, b } => (row, product(order.run((a, 0), 0), order.back(b, 0))),
+            Step::Square { row, a } => (row, product(order.run((a, 0), 0), order.back(a, 0))),
             Step::SinCos { row, a, weighted, sign } => {
                 order.weigh(weighted, a);
-                let [s, c] = dots(order.run((weighted, 0), 1), [order.back(row + 1, 1), order.back(row, 1)]);
+                let [s, c] = products(order.run((weighted, 0), 1), [order.back(row + 1, 1), order.back(row, 1)]);
                 order.put(row + 1, sign * c / k as f64);
                 (row, s / k as f64)
             }
@@ -518,9 +493,9 @@ impl Memory {
         for &(i, j, entry) in &system.moving {
             let run = order.run((entry, 1), 1);
             if i == j {
-                h[i as usize] -= dot(run, order.back(first + j, 1));
+                h[i as usize] -= product(run, order.back(first + j, 1));
             } else {
-                let [at_i, at_j] = dots(run, [order.back(first + j, 1), order.back(first + i, 1)]);
+                let [at_i, at_j] = products(run, [order.back(first + j, 1), order.back(first + i, 1)]);
                 h[i as usize] -= at_i;
                 h[j as usize] -= at_j;
             }
