@@ -195,6 +195,20 @@ impl Hill {
         Some(zeros)
     }
 
+    /// How often the solution with y = 1, y' = 0 at the start changes its sign in so many periods. Where |tr M| < 2 solutions turn by π(n + θ), 0 < θ < 1, in a period on the average; where
+    /// tr M = 0, M² = -1, and every solution has 2n + 1 zeros in two periods (Sturm).
+    pub fn zeros(&self, periods: usize) -> usize {
+        let (mut state, mut zeros) = ([1.0, 0.0], 0);
+        for _ in 0..periods {
+            self.walk(|_, psi, h| {
+                let before = state[0] >= 0.0;
+                state = step(psi, state, h);
+                zeros += usize::from(before != (state[0] >= 0.0));
+            });
+        }
+        zeros
+    }
+
     /// Over the steps of a period: whether it is the last one, ψ_j h^(j+2), and h.
     fn walk(&self, mut go: impl FnMut(bool, &[f64; ORDER], f64)) {
         let omega = TAU / self.period;
@@ -207,28 +221,38 @@ impl Hill {
         let fastest = self.waves.iter().enumerate().map(rate).fold(size.sqrt(), f64::max);
         let steps = (self.period * fastest / REACH).ceil().max(1.0);
         let h = self.period / steps;
+        // h^(j+2) (kω)^j / j! of each harmonic, the same in all steps
+        let scales = |k: usize| {
+            let rate = (k + 1) as f64 * omega;
+            let mut scale = h * h;
+            std::array::from_fn(|j| {
+                let own = scale;
+                scale *= rate * h / (j + 1) as f64;
+                own
+            })
+        };
+        let scales: Vec<[f64; ORDER]> = (0..self.waves.len()).map(scales).collect();
         let mut psi = [0.0; ORDER];
         for i in 0..steps as usize {
-            self.expand(self.period * i as f64 / steps, h, &mut psi);
+            self.expand(self.period * i as f64 / steps, (h, &scales), &mut psi);
             go(i + 1 == steps as usize, &psi, h);
         }
     }
 
     /// ψ_j h^(j+2) about t.
-    fn expand(&self, t: f64, h: f64, psi: &mut [f64; ORDER]) {
+    fn expand(&self, t: f64, (h, scales): (f64, &[[f64; ORDER]]), psi: &mut [f64; ORDER]) {
         psi.fill(0.0);
         psi[0] = self.mean * h * h;
         let omega = TAU / self.period;
-        for (k, [c, s]) in self.waves.iter().enumerate() {
-            let rate = (k + 1) as f64 * omega;
-            let (sin, cos) = elementary::sin_cos(rate * t);
+        for ((k, [c, s]), scales) in self.waves.iter().enumerate().zip(scales) {
+            let (sin, cos) = elementary::sin_cos((k + 1) as f64 * omega * t);
             // value and derivative by the angle; each further derivative turns by a quarter
-            let (mut now, mut next) = (c * cos + s * sin, s * cos - c * sin);
-            let mut scale = h * h;
-            for (j, psi) in psi.iter_mut().enumerate() {
-                *psi += scale * now;
-                (now, next) = (next, -now);
-                scale *= rate * h / (j + 1) as f64;
+            let (now, next) = (c * cos + s * sin, s * cos - c * sin);
+            for (psi, scales) in psi.chunks_exact_mut(4).zip(scales.chunks_exact(4)) {
+                psi[0] += scales[0] * now;
+                psi[1] += scales[1] * next;
+                psi[2] -= scales[2] * now;
+                psi[3] -= scales[3] * next;
             }
         }
     }
@@ -317,6 +341,16 @@ mod tests {
             let hill = Hill { period: std::f64::consts::PI, mean: 5.0, waves: vec![[-10.0 * cos, -10.0 * sin]] };
             assert_eq!(hill.tongue(), Some(2), "{turn}");
         }
+    }
+
+    /// cos kt changes its sign at odd multiples of π/2k: 2n + 1 times in two periods π where cos kπ = 0, k = n + 1/2; cosh kt never does.
+    #[test]
+    fn zeros_are_counted_over_periods() {
+        for n in 0..7_u32 {
+            let k = f64::from(n) + 0.5;
+            assert_eq!(Hill { period: std::f64::consts::PI, mean: k * k, waves: Vec::new() }.zeros(2), 2 * n as usize + 1);
+        }
+        assert_eq!(Hill { period: 3.0, mean: -2.0, waves: vec![[0.3, 0.0]] }.zeros(2), 0);
     }
 
     #[test]

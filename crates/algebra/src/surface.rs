@@ -206,12 +206,12 @@ impl Rectangle {
 }
 
 /// A place of a side from ξ; the ends exactly.
-fn place([low, high]: [f64; 2], xi: f64) -> f64 {
+pub(crate) fn place([low, high]: [f64; 2], xi: f64) -> f64 {
     0.5 * ((1.0 - xi) * low + (1.0 + xi) * high)
 }
 
 /// ξ from a place.
-fn share(x: f64, [low, high]: [f64; 2]) -> f64 {
+pub(crate) fn share(x: f64, [low, high]: [f64; 2]) -> f64 {
     (((x - low) - (high - x)) / (high - low)).clamp(-1.0, 1.0)
 }
 

@@ -4,7 +4,7 @@
 //! another grid, and the time of a trace by itself. Target: at most 0.5 s with an error of at most 1e-10.
 
 use algebra::hill::Hill;
-use analysis::studies::stability::{Diagram, Family};
+use analysis::studies::stability::{Diagram, Equations, Family};
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
@@ -39,9 +39,9 @@ fn row(name: &str, shape: &Hill, decay: f64, [a, b]: [[f64; 2]; 2]) {
     let Some((diagram, _)) = made else { return };
     let (mut worst, begin) = (0.0_f64, Instant::now());
     let (xs, ys) = (line(a, CHECKED), line(b, CHECKED));
-    let own: Vec<f64> = xs.iter().flat_map(|a| ys.iter().map(|b| diagram.family.at(*a, *b).monodromy().trace())).collect();
+    let own: Vec<f64> = xs.iter().flat_map(|a| ys.iter().map(|b| diagram.equations.at(*a, *b).trace()[0])).collect();
     let one = begin.elapsed().as_secs_f64() / own.len() as f64;
-    for (found, own) in diagram.traces(&xs, &ys).iter().zip(&own) {
+    for ([found, _], own) in diagram.traces(&xs, &ys).iter().zip(&own) {
         worst = worst.max((found - own).abs() / own.abs().max(1.0));
     }
     println!("{name:>34} {least:>9.4} {:>9} {:>10.1e} {worst:>10.1e} {:>12.2}", diagram.values(), diagram.error(), 1e6 * one);

@@ -75,6 +75,8 @@ pub struct Key {
 pub struct Line {
     /// Its name where it is not that of the key.
     pub name: Option<&'static str>,
+    /// Another name that means the same.
+    pub also: Option<&'static str>,
     /// One line of help.
     pub help: Words,
     /// The word that a bare option stands for.
@@ -117,7 +119,7 @@ impl Key {
         self
     }
     const fn line(mut self, name: Option<&'static str>, help: Words, sets: Option<&'static str>) -> Key {
-        self.option = Some(Line { name, help, sets, needs: None, way: Way::Instead });
+        self.option = Some(Line { name, also: None, help, sets, needs: None, way: Way::Instead });
         self
     }
     /// Outside the file it is an option with this help.
@@ -127,6 +129,13 @@ impl Key {
     /// Outside the file it is a bare option that stands for a word.
     pub const fn flag(self, name: &'static str, word: &'static str, help: Words) -> Key {
         self.line(Some(name), help, Some(word))
+    }
+    /// Its option has another name, which its help says.
+    pub const fn also(mut self, name: &'static str) -> Key {
+        if let Some(line) = &mut self.option {
+            line.also = Some(name);
+        }
+        self
     }
     /// Its option means nothing without another.
     pub const fn needs(mut self, other: &'static str) -> Key {

@@ -118,7 +118,7 @@ fn option(key: &Key, among: &[&Key], language: Language) -> Option<Arg> {
         Way::Instead | Way::Written => "",
     };
     let help = format!("{}{begins}", language.pick(line.help.0, line.help.1));
-    let arg = Arg::new(name).long(name.replace('_', "-")).help(help);
+    let arg = Arg::new(name).long(name.replace('_', "-")).aliases(line.also).help(help);
     let there = |other: &str| among.iter().any(|key| key.option.is_some() && name_of(key) == other);
     let arg = line.needs.iter().filter(|other| there(other)).fold(arg, |arg, other| arg.requires(*other));
     let arg = key.excluded.iter().filter(|(other, _)| there(other)).fold(arg, |arg, (other, _)| arg.conflicts_with(*other));

@@ -9,6 +9,7 @@ mod command;
 mod places;
 mod show;
 mod tell;
+mod tongues;
 
 use super::keys::{LEVEL, REGIMES};
 use super::{Extra, Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};

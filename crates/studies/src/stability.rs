@@ -7,6 +7,7 @@
 mod asked;
 mod boundaries;
 mod lyapunov;
+pub(crate) mod plane;
 mod point;
 mod reduction;
 mod show;

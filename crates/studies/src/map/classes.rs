@@ -88,6 +88,10 @@ impl Classes {
             }
         };
         let verdict = match stable {
+            // beside places that have one it is a limiting case
+            None if regime.en.is_empty() && self.sorts.iter().any(|sort| matches!(sort, Sort::Found(_, Some(_)))) => {
+                Text::new("limiting case", "граничный случай")
+            }
             None => return regime,
             Some(true) => Text::new("stable", "устойчиво"),
             Some(false) => Text::new("unstable", "неустойчиво"),

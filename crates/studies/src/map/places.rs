@@ -8,8 +8,10 @@ use crate::repeat::gathered::{Gathered, Row};
 use crate::repeat::journal::{self, Head};
 use crate::repeat::many::{self, Shared};
 use crate::repeat::{At, Repeated};
+use crate::stability::plane::Plane;
 use crate::watch::Watch;
 use analysis::studies::map::{Class, Grid, Place};
+use analysis::studies::stability::Verdict;
 use mechanics::asked::Asked;
 use mechanics::model::SweepRange;
 use words::{Notice, Text};
@@ -31,6 +33,8 @@ pub(super) struct Places<'a, 'w> {
     pub(super) classes: Classes,
     /// Rows in the order of the places.
     pub(super) rows: Vec<Row>,
+    /// The diagram that has the verdicts of all places, where there is one.
+    pub(super) diagram: Option<Plane>,
     start: At,
     course: Course,
     /// Coarse cells along a side.
@@ -42,7 +46,7 @@ impl<'a, 'w> Places<'a, 'w> {
     pub(super) fn new(
         machine: &Machine,
         (ranges, repeated): (&'a [SweepRange; 2], &'a Repeated),
-        (asked, grid, judge): (&Asked, Grid, Judge),
+        (asked, grid, judge, diagram): (&Asked, Grid, Judge, Option<Plane>),
         watch: &'a mut Watch<'w>,
     ) -> Result<Places<'a, 'w>, Notice> {
         let gathered = Gathered::new(machine, ranges, &repeated.noted);
@@ -53,7 +57,7 @@ impl<'a, 'w> Places<'a, 'w> {
         let head = Head::new(same, [most.saturating_mul(10), 1], journal::WHOLE, (gathered.own, &gathered.columns));
         let start = At::given(machine, &values(ranges, [0.0, 0.0]));
         let course = Course::begin(watch, &head)?;
-        Ok(Places { ranges, repeated, classes: Classes::new(judge), rows: Vec::new(), start, course, cells: grid.cells, watch })
+        Ok(Places { ranges, repeated, classes: Classes::new(judge), rows: Vec::new(), diagram, start, course, cells: grid.cells, watch })
     }
 
     /// How often the file was read again.
@@ -64,6 +68,11 @@ impl<'a, 'w> Places<'a, 'w> {
     /// The classes of places; of the first places also the groups of values that part them.
     pub(super) fn find(&mut self, places: &[Place]) -> Result<Vec<Class>, Stop> {
         let first = self.rows.len();
+        if let Some(diagram) = &self.diagram {
+            let fresh = of_diagram(diagram, self.ranges, (places, if first == 0 { self.cells } else { 0 }));
+            self.rows.extend(fresh);
+            return Ok(self.rows[first..].iter().map(|row| self.classes.of(row)).collect());
+        }
         let shared =
             Shared { threads: self.watch.threads.max(1), block: BLOCK, interrupt: self.watch.interrupt, spread: self.watch.spread };
         let (ranges, repeated) = (self.ranges, self.repeated);
@@ -94,6 +103,29 @@ impl<'a, 'w> Places<'a, 'w> {
         }
         Ok(self.rows[first..].iter().map(|row| self.classes.of(row)).collect())
     }
+}
+
+/// The verdicts of places by a diagram; of those of a whole lattice of so many cells along a side, row by row, together.
+fn of_diagram(diagram: &Plane, ranges: &[SweepRange; 2], (places, cells): (&[Place], u32)) -> Vec<Row> {
+    let side = cells as usize + 1;
+    let of_place = |place: Place| [0, 1].map(|k| value(&ranges[k], place[k]));
+    let traces: Vec<[f64; 2]> = if cells > 0 && places.len() == side * side {
+        let xs: Vec<f64> = places[..side].iter().map(|place| of_place(*place)[0]).collect();
+        let ys: Vec<f64> = places.iter().step_by(side).map(|place| of_place(*place)[1]).collect();
+        let all = diagram.diagram.traces(&xs, &ys);
+        (0..side * side).map(|k| all[k % side * side + k / side]).collect()
+    } else {
+        places.iter().map(|place| of_place(*place)).map(|[x, y]| diagram.diagram.trace(x, y)).collect()
+    };
+    let row = |(place, trace): (&Place, [f64; 2])| {
+        let stable = match Verdict::of_trace(trace) {
+            Verdict::Stable => Some(true),
+            Verdict::Unstable => Some(false),
+            Verdict::Limit => None,
+        };
+        Row { values: values(ranges, *place), numbers: Ok(Vec::new()), audit: None, stands: None, anew: 0, regime: None, stable }
+    };
+    places.iter().zip(traces).map(row).collect()
 }
 
 /// The share that is done: half of it is the coarse places; how many boundaries take besides nobody knows, the rest shrinks as they go on.

@@ -4,9 +4,10 @@ use super::classes::{Classes, Judge};
 use crate::results::{Results, Show, View};
 use analysis::dataset::Column;
 use analysis::studies::map::{Class, Map};
+use analysis::studies::stability::{Curve, Edge};
 use report::document::{Inline, Rich};
 use report::figure::field::{Field, Hatch, Key, Pick, Tile};
-use report::figure::{Axis, Kind, Pen, Series};
+use report::figure::{Axis, Kind, Mark, Pen, Series};
 use report::{Block, Figure};
 use words::{Language, Text};
 
@@ -29,6 +30,8 @@ pub(super) struct Shown {
     pub(super) ends: [[f64; 2]; 2],
     /// The command line for a place.
     pub(super) command: String,
+    /// Boundaries of the tongues of a diagram: they are drawn in place of those between the cells.
+    pub(super) tongues: Vec<Curve>,
 }
 
 impl Show for Shown {
@@ -134,11 +137,32 @@ impl Shown {
             kind: Kind::Plane { equal: false },
             x: axis(0),
             y: axis(1),
-            series: self.map.lines.iter().map(series).collect(),
-            marks: Vec::new(),
+            series: if self.tongues.is_empty() {
+                self.map.lines.iter().map(series).collect()
+            } else {
+                self.tongues.iter().map(of_tongue).collect()
+            },
+            marks: self.tongues.iter().filter_map(mark).collect(),
             along: None,
             strip: Vec::new(),
             field: Some(Field { across, ends: self.ends, tiles, key, pick }),
         }
     }
+}
+
+/// A boundary of a tongue.
+fn of_tongue(curve: &Curve) -> Series {
+    let part = |k: usize| curve.points.iter().map(|place| place[k]).collect();
+    Series { name: String::new(), label: String::new(), x: part(0), y: part(1), pen: Pen::Line }
+}
+
+/// The name of a curve in its middle; of the two ends of a tongue without letters one stands for both.
+fn mark(curve: &Curve) -> Option<Mark> {
+    let place = curve.points.get(curve.points.len() / 2)?;
+    let label = match curve.letter {
+        Some(_) => curve.name().replace('_', ""),
+        None if curve.edge == Some(Edge::Upper) => curve.tongue.to_string(),
+        None => return None,
+    };
+    Some(Mark::Point { x: place[0], y: place[1], label })
 }

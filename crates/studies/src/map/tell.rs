@@ -4,11 +4,14 @@ use super::classes::{Classes, Judge};
 use super::command::command;
 use super::places::{Places, Stop, ends, interrupted, value};
 use super::show::Shown;
+use super::tongues;
 use crate::machine::Machine;
 use crate::provenance;
 use crate::repeat::gathered::{Gathered, Row, partly_absent};
 use crate::repeat::{self, Asks, Repeated, regimes};
 use crate::results::{Body, Fact, Results};
+use crate::stability;
+use crate::stability::plane::{Over, Plane};
 use crate::watch::Watch;
 use analysis::dataset::{Column, Labels, Missing};
 use analysis::studies::map::{Grid, Map, map};
@@ -18,6 +21,9 @@ use mechanics::model::SweepRange;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use words::{Notice, Text};
+
+/// Points along a side for which a diagram has polynomials at least.
+const POINTS: usize = 500;
 
 /// Carries the study out and fills in the results.
 pub(super) fn mapped(
@@ -29,20 +35,13 @@ pub(super) fn mapped(
     let range = |key| if let Some(Taken::Ranges(list)) = asked.get(key) { list.first().cloned() } else { None };
     let (Some(x), Some(y)) = (range("x"), range("y")) else { return Ok(()) };
     let ranges = [x, y];
-    let judge = match asked.number("level") {
-        _ if asked.flag("regimes") => Judge::Regimes,
-        Some(level) => Judge::Level(level),
-        None => Judge::Gaps,
-    };
-    let mut numbers = asked.words("observe").to_vec();
-    if judge == Judge::Regimes {
-        numbers.extend(regimes::numbers(machine)?.into_iter().filter(|text| !asked.words("observe").contains(text)));
-    }
+    let (judge, numbers) = judged(machine, asked)?;
     let repeated = Repeated::new(machine, Asks { observe: &numbers, of: asked.word("of"), inner })?;
-    let mut places = Places::new(machine, (&ranges, &repeated), (asked, grid, judge), watch)?;
+    let diagram = diagram(machine, (&ranges, &repeated), (grid, judge), watch);
+    let mut places = Places::new(machine, (&ranges, &repeated), (asked, grid, judge, diagram), watch)?;
     let found = map(grid, &mut |list| places.find(list));
     let anew = places.anew();
-    let (classes, rows) = (places.classes, places.rows);
+    let (classes, rows, diagram) = (places.classes, places.rows, places.diagram);
     results.own.insert("of".into(), json!(repeated.base.kind));
     results.own.insert("read_anew".into(), json!(anew));
     let level = level_words(&repeated, judge);
@@ -61,6 +60,11 @@ pub(super) fn mapped(
             told.words(&repeated, results);
             told.boundaries(results);
             data.notes.extend(told.notes());
+            let tongues = diagram.as_ref().map(|plane| tongues::found(plane, ranges.clone().map(|range| ends(&range))));
+            if let (Some(plane), Some(found)) = (&diagram, &tongues) {
+                tongues::tell(&[0, 1].map(|k| told.quantity(k)), plane, found, results);
+                data.audits.push(tongues::audit(plane));
+            }
             let values =
                 rows.iter().map(|row| row.numbers.as_ref().map_or_else(|_| Vec::new(), |list| list.iter().map(|(v, _)| *v).collect()));
             let columns: Vec<Column> = data.columns.iter().map(|c| Column { quantity: c.quantity.clone(), values: Vec::new() }).collect();
@@ -68,11 +72,50 @@ pub(super) fn mapped(
             let command = command(machine, &repeated, inner);
             let values = values.collect();
             let ends = ranges.clone().map(|range| ends(&range));
-            results.body = Body::After(Arc::new(Shown { map: found, classes, names, columns, values, drawn, ends, command }));
+            results.body = Body::After(Arc::new(Shown {
+                map: found,
+                classes,
+                names,
+                columns,
+                values,
+                drawn,
+                ends,
+                command,
+                tongues: tongues.map(|found| found.1).unwrap_or_default(),
+            }));
         }
     }
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     Ok(())
+}
+
+/// What tells places apart, and the numbers that are noted for it.
+fn judged(machine: &Machine, asked: &Asked) -> Result<(Judge, Vec<String>), Notice> {
+    let judge = match asked.number("level") {
+        _ if asked.flag("regimes") => Judge::Regimes,
+        Some(level) => Judge::Level(level),
+        None => Judge::Gaps,
+    };
+    let mut numbers = asked.words("observe").to_vec();
+    if judge == Judge::Regimes {
+        numbers.extend(regimes::numbers(machine)?.into_iter().filter(|text| !asked.words("observe").contains(text)));
+    }
+    Ok((judge, numbers))
+}
+
+/// The diagram that has all verdicts, where verdicts alone are mapped and the machine has one.
+fn diagram(
+    machine: &Machine,
+    (ranges, repeated): (&[SweepRange; 2], &Repeated),
+    (grid, judge): (Grid, Judge),
+    watch: &Watch,
+) -> Option<Plane> {
+    let verdicts = repeated.base.kind == stability::KIND.name && judge == Judge::Gaps && repeated.noted.is_empty();
+    // curves ask for many places besides those of the lattice
+    let points = [(grid.finest() as usize + 1).max(POINTS); 2];
+    let over =
+        Over { names: [0, 1].map(|k| ranges[k].name.as_str()), ends: [0, 1].map(|k| ends(&ranges[k])), points, interrupt: watch.interrupt };
+    verdicts.then(|| Plane::of(machine, repeated, &over)).flatten()
 }
 
 /// The level with its unit.

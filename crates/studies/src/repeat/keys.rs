@@ -13,7 +13,11 @@ pub const OF: Key = Key::new(
     "\"periodic\"",
 )
 .default("first that fits", "первый подходящий")
-.option("The study that is repeated, when the file has several", "Повторяемый расчёт, если в файле их несколько")
+.option(
+    "The study that is repeated, when the file has several; also --study",
+    "Повторяемый расчёт, если в файле их несколько; также --study",
+)
+.also("study")
 .way(Way::Written);
 
 /// Options of every study that is repeated as a motion or at rest, the first of each name, without those of the kind itself; one that gives numbers of its own

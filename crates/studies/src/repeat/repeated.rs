@@ -45,7 +45,7 @@ impl Repeated {
     }
 
     /// The study as the file reads with the values: its formulas (a period 2*pi/w) may depend on them.
-    pub(super) fn at(&self, machine: &Machine) -> Result<Asked, Notice> {
+    pub(crate) fn at(&self, machine: &Machine) -> Result<Asked, Notice> {
         let Some(fresh) = self.of.and_then(|k| machine.model.studies.get(k)) else { return Ok(self.base.clone()) };
         let mut fresh = changed(machine, fresh.kind, Some(fresh.clone()), &self.inner)?;
         observing(machine, &mut fresh, &self.noted);

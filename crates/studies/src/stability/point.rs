@@ -101,7 +101,7 @@ pub(super) fn of_motion(machine: &mut Machine, study: &periodic::Periodic, care:
 }
 
 /// About a place where the machine rests at every instant: Hill's equation from its coefficients, where the verdict alone is wanted. Whatever speaks against it is left to the motion.
-fn of_rest(machine: &mut Machine, study: &periodic::Periodic, care: Care) -> Option<Point> {
+pub(super) fn of_rest(machine: &mut Machine, study: &periodic::Periodic, care: Care) -> Option<Point> {
     let period = study.period.filter(|_| care == Care::Verdict && study.section == periodic::Section::Time && study.settle == 0.0)?;
     if !machine.equations.conditions.is_empty() {
         return None;

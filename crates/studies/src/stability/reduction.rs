@@ -4,7 +4,9 @@
 //! J = M(φ),   K = -∂Q/∂φ at φ' = 0,   B = -∂Q/∂φ' at φ' = 0        Q all generalized forces
 //! ```
 
+use super::asked::{About, Stability};
 use crate::machine::Machine;
+use crate::machine::bind::Binding;
 use symbolic::{Equations, Expr, Graph, Substitution, SymbolId};
 use words::Notice;
 
@@ -80,6 +82,19 @@ impl Reduction {
     pub(super) fn is_undamped(&self) -> bool {
         self.graph.is_zero(self.formulas[2])
     }
+}
+
+/// The reduction of a machine that was given other values, where the study has one.
+///
+/// *Errors*: S142.
+pub(super) fn reduced(own: &mut Option<Reduction>, machine: &Machine, (study, binding): (&Stability, Binding)) -> Result<(), Notice> {
+    if let About::Running { angle, .. } = &study.about {
+        match own {
+            Some(reduction) if binding == Binding::Numbers => reduction.put(&machine.equations),
+            reduction => *reduction = Some(Reduction::of(machine, *angle)?),
+        }
+    }
+    Ok(())
 }
 
 /// The formula without definitions.

@@ -1,14 +1,13 @@
 //! Stability along a parameter: verdicts, and the boundaries located.
 
-use super::asked::{About, Range, Stability};
+use super::asked::{Range, Stability};
 use super::boundaries::{Root, Side, Smooth, roots};
 use super::point::{self, Care, Point};
-use super::reduction::Reduction;
+use super::reduction::{Reduction, reduced};
 use super::show::Shown;
 use super::single::of_scalar;
 use crate::failure::in_words;
 use crate::machine::Machine;
-use crate::machine::bind::Binding;
 use crate::periodic::{no_parameter, value_of};
 use crate::provenance;
 use crate::results::{Body, Fact, Results, Rows};
@@ -48,12 +47,7 @@ impl Walk<'_> {
     fn with(&mut self, value: f64, care: Care, watch: &mut Watch) -> Result<Point, Notice> {
         let binding = self.machine.bind(&[(self.name, value)]).map_err(in_words)?;
         let study = self.study.reread([self.written.clone(), self.study.in_file(&self.machine)]);
-        if let About::Running { angle, .. } = &study.about {
-            match &mut self.reduction {
-                Some(reduction) if binding == Binding::Numbers => reduction.put(&self.machine.equations),
-                reduction => *reduction = Some(Reduction::of(&self.machine, *angle)?),
-            }
-        }
+        reduced(&mut self.reduction, &self.machine, (&study, binding))?;
         let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
         point::at(&mut self.machine, &study, self.reduction.as_ref(), care, &mut inner)
     }

@@ -1,5 +1,6 @@
 //! From multipliers to exponents and a verdict.
 
+use super::diagram::TRACE;
 use crate::studies::periodic::{Multiplier, NEUTRAL};
 use algebra::elementary;
 
@@ -26,6 +27,15 @@ impl Verdict {
             Verdict::Stable => "stable",
             Verdict::Unstable => "unstable",
             Verdict::Limit => "limit",
+        }
+    }
+    /// From the trace of y'' + ψ y = 0 and the damping over its period, q = y exp(-∫h dt): disturbances of q grow where |tr M| > 2 ch hT.
+    pub fn of_trace([trace, damping]: [f64; 2]) -> Verdict {
+        // negative damping: the product of the multipliers is larger than 1
+        if damping < 0.0 {
+            Verdict::Unstable
+        } else {
+            Verdict::of_excess(trace.abs() - 2.0 * elementary::cosh(damping), TRACE * trace.abs().max(1.0))
         }
     }
     /// From a quantity that is negative where disturbances do not grow, known to `error`.

@@ -13,12 +13,16 @@ mod floquet;
 mod lyapunov;
 mod resonance;
 mod scalar;
+mod sheeted;
 mod standing;
+mod tongues;
 
 pub use collocation::by_collocation;
-pub use diagram::{Diagram, Family};
+pub use diagram::{Damped, Diagram, Equations, Family, TRACE};
 pub use floquet::{Exponent, Verdict, exponents, growth, verdict, without_clocks};
 pub use lyapunov::{Fate, Lyapunov, Options, Rate, lyapunov};
 pub use resonance::{Resonance, Tongue, resonance};
 pub use scalar::{Criterion, Scalar};
+pub use sheeted::Sheeted;
 pub use standing::standing;
+pub use tongues::{Along, Curve, Edge, curves};

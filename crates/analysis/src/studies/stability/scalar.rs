@@ -10,6 +10,7 @@
 //! Damping h of the original is taken out by q = y exp(-∫h dt): disturbances grow where those of y grow faster than exp(η τ), η = 2 h̄/ω. To first
 //! order in e they do in the main tongue where e² > (1 - d)² + 4 η², and below d = -e²/2 (Kapitza). *Source*: V. V. Bolotin, The Dynamic Stability of Elastic Systems, 1964, § 5, § 9.
 
+use super::diagram::TRACE;
 use super::floquet::Verdict;
 use algebra::elementary;
 use algebra::hill::Hill;
@@ -18,8 +19,6 @@ use std::f64::consts::{PI, TAU};
 
 /// Share of its largest harmonic up to which the samples of a coefficient are rounding.
 const ROUNDING: f64 = 1e-11;
-/// Error of a trace beside the larger of it and 1.
-const TRACE: f64 = 1e-10;
 
 /// y'' + ψ(t) y = 0 with q = y exp(-∫h dt).
 #[derive(Clone, Debug, PartialEq)]
@@ -178,7 +177,7 @@ impl Scalar {
             return Verdict::Unstable;
         }
         let error = match by {
-            Criterion::Hill => TRACE * self.trace.abs().max(1.0),
+            Criterion::Hill => return Verdict::of_trace([self.trace, self.decay * self.hill.period]),
             Criterion::Mathieu => TRACE * self.trace_of_mathieu().abs().max(1.0),
             // a formula of two coefficients: some ten units of the last place
             Criterion::Classical => 1e-14,
