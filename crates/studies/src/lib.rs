@@ -13,6 +13,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod answers;
+pub mod average;
 pub mod calculation;
 pub mod claims;
 mod connections;
@@ -86,6 +87,7 @@ pub static TABLE: &[&dyn Study] = &[
     &stability::Disturbances,
     &continuation::Branches,
     &poincare::SectionPoints,
+    &average::SlowBalance,
     &kinematics::Linkage,
     &cycle::Turn,
     &sweep::Sweeping,

@@ -1,6 +1,7 @@
 //! Studies, one file each.
 
 pub mod amplitudes;
+pub mod average;
 mod balance;
 pub mod claims;
 pub mod continuation;

@@ -98,7 +98,7 @@ pub(super) fn reduced(own: &mut Option<Reduction>, machine: &Machine, (study, bi
 }
 
 /// The formula without definitions.
-fn inlined(equations: &Equations, graph: &mut Graph, formula: Expr) -> Expr {
+pub(crate) fn inlined(equations: &Equations, graph: &mut Graph, formula: Expr) -> Expr {
     let one = |e, d: &symbolic::equations::Definition| Substitution::new([(d.symbol, d.formula)]).apply(graph, e);
     equations.definitions.iter().rev().fold(formula, one)
 }

@@ -1,0 +1,165 @@
+//! The equations of a machine for averaging: residuals of all coordinates and their derivatives, as formulas.
+
+use crate::machine::Machine;
+use crate::stability::reduction::inlined;
+use analysis::studies::average::{Instant, Place, Turning};
+use mechanics::asked::Named;
+use symbolic::{Equations, Expr, Graph, SymbolId};
+use words::{Notice, Text};
+
+/// Instants of a turn at which it is looked whether auxiliary states matter.
+const LOOKED: usize = 7;
+/// Difference of what repeats after a turn, as a share of the largest value.
+const ROUNDING: f64 = 1e-9;
+
+/// M q'' - h of a machine with its numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Formulas {
+    graph: Graph,
+    /// q, q', q'' of the rest.
+    rest: Vec<[SymbolId; 3]>,
+    /// φ, φ', φ''.
+    angle: [SymbolId; 3],
+    time: SymbolId,
+    /// Residuals of the rest and of the angle, M_φφ, then the derivatives of the former.
+    roots: Vec<Expr>,
+    /// All nodes below them, operands first.
+    order: Vec<Expr>,
+    /// Numbers of the parameters.
+    numbers: Vec<f64>,
+    /// The instant at which formulas of time stand, s.
+    instant: f64,
+    /// q'' of the angle is 0 here, auxiliary states too: they must not matter.
+    auxiliaries: Vec<SymbolId>,
+}
+
+impl Formulas {
+    /// *Errors*: S156.
+    pub(super) fn of(machine: &Machine, angle: &Named, instant: f64) -> Result<Formulas, Notice> {
+        let equations = &machine.equations;
+        let Some(own) = equations.coordinates.iter().position(|c| c.symbols[0] == angle.symbol) else {
+            return Err(refused(("the angle is none of the coordinates", "угол не входит в число координат")));
+        };
+        if !equations.conditions.is_empty() {
+            return Err(refused((
+                "connections, contacts or dry friction tie its coordinates",
+                "координаты связаны соединениями, контактами или сухим трением",
+            )));
+        }
+        let mut graph = equations.graph.clone();
+        let n = equations.coordinates.len();
+        let order: Vec<usize> = (0..n).filter(|i| *i != own).chain([own]).collect();
+        let residual = |i: usize, graph: &mut Graph| {
+            let mut terms = Vec::with_capacity(n + 1);
+            for j in 0..n {
+                let (mass, acceleration) = (equations.mass.get(i, j), graph.symbol(equations.coordinates[j].symbols[2]));
+                terms.push(graph.mul(mass, acceleration));
+            }
+            let force = graph.neg(equations.force[i]);
+            terms.push(force);
+            let sum = graph.sum(&terms);
+            inlined(equations, graph, sum)
+        };
+        let mut roots: Vec<Expr> = order.iter().map(|i| residual(*i, &mut graph)).collect();
+        let rest: Vec<[SymbolId; 3]> = order[..n - 1].iter().map(|i| equations.coordinates[*i].symbols).collect();
+        let symbols = equations.coordinates[own].symbols;
+        let inertia = graph.derivative(roots[n - 1], symbols[2]);
+        roots.push(inertia);
+        for (i, which) in (0..n - 1).flat_map(|i| (0..3).map(move |which| (i, which))) {
+            for other in &rest {
+                let slope = graph.derivative(roots[i], other[which]);
+                roots.push(slope);
+            }
+        }
+        let order = graph.reachable(&roots);
+        let auxiliaries = equations.auxiliaries.iter().map(|a| a.symbol).collect();
+        let mut formulas =
+            Formulas { graph, rest, angle: symbols, time: equations.time, roots, order, numbers: Vec::new(), instant, auxiliaries };
+        formulas.put(equations);
+        if formulas.depends_on_clocks() {
+            return Err(refused((
+                "what turns at a rate of its own (an auxiliary state) acts on it besides the angle",
+                "кроме угла на неё действует то, что вращается со своей скоростью (вспомогательное состояние)",
+            )));
+        }
+        if !formulas.repeats() {
+            return Err(refused((
+                "its equations are not the same after a turn of the angle",
+                "через оборот этого угла её уравнения другие",
+            )));
+        }
+        Ok(formulas)
+    }
+
+    /// Whether the equations are the same a turn further, where angles are rounded.
+    fn repeats(&self) -> bool {
+        let still = vec![0.0; self.rest.len()];
+        let at = |angle: f64| self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, 0.0);
+        (0..LOOKED).all(|k| {
+            let (here, there) = (at(k as f64), at(k as f64 + std::f64::consts::TAU));
+            let largest = here.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+            here.iter().zip(&there).all(|(a, b)| (a - b).abs() <= ROUNDING * largest)
+        })
+    }
+
+    /// Takes over the numbers of the parameters.
+    pub(super) fn put(&mut self, equations: &Equations) {
+        self.numbers = vec![0.0; self.graph.symbol_count()];
+        equations.parameters.iter().for_each(|p| self.numbers[p.symbol.index()] = p.value);
+    }
+
+    /// Whether a residual changes with an auxiliary state.
+    fn depends_on_clocks(&self) -> bool {
+        let still = vec![0.0; self.rest.len()];
+        let at = |k: usize, clock: f64| {
+            let angle = std::f64::consts::TAU * k as f64 / LOOKED as f64;
+            self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, clock)
+        };
+        (0..LOOKED).any(|k| {
+            let before = at(k, 0.0);
+            [1.0, 2.3].iter().any(|clock| at(k, *clock)[..=self.rest.len()] != before[..=self.rest.len()])
+        })
+    }
+
+    fn values(&self, place: &Place<'_>, clock: f64) -> Vec<f64> {
+        let mut numbers = self.numbers.clone();
+        let mut set = |symbol: SymbolId, value: f64| numbers[symbol.index()] = value;
+        set(self.time, self.instant);
+        set(self.angle[0], place.angle);
+        set(self.angle[1], place.speed);
+        set(self.angle[2], 0.0);
+        self.auxiliaries.iter().for_each(|symbol| set(*symbol, clock));
+        for (i, symbols) in self.rest.iter().enumerate() {
+            set(symbols[0], place.values[i]);
+            set(symbols[1], place.rates[i]);
+            set(symbols[2], place.accelerations[i]);
+        }
+        let mut known = vec![0.0; self.graph.len()];
+        let value = |s: SymbolId| numbers[s.index()];
+        for e in &self.order {
+            known[e.index()] = self.graph.evaluate_node(*e, &value, &|c| known[c.index()]);
+        }
+        self.roots.iter().map(|e| known[e.index()]).collect()
+    }
+}
+
+impl Turning for Formulas {
+    fn others(&self) -> usize {
+        self.rest.len()
+    }
+    fn at(&self, place: &Place<'_>) -> Instant {
+        let all = self.values(place, 0.0);
+        let n = self.rest.len() + 1;
+        Instant { residuals: all[..n].to_vec(), inertia: all[n], slopes: all[n + 1..].to_vec() }
+    }
+}
+
+/// S156.
+pub(super) fn refused(why: (&str, &str)) -> Notice {
+    Notice::new("S156", "the machine cannot be averaged over this angle", "осреднить машину по этому углу нельзя")
+        .because(Text::new(why.0, why.1))
+        .help(
+            "name an angle that turns freely, of a machine without connections: --angle phi",
+            "назовите свободно вращающийся угол машины без связей: --angle phi",
+        )
+}
