@@ -23,9 +23,12 @@ pub(super) enum Judge {
 pub(super) enum Sort {
     /// There is no result.
     Failed,
-    /// A regime by its number, or the group of each number; and the verdict.
-    Found(Vec<usize>, Option<bool>),
+    /// A regime by its number, or the group of each number; the verdict, and what makes disturbances grow.
+    Found(Vec<usize>, Option<bool>, Option<String>),
 }
+
+/// What is tinted alike: a regime, and what makes disturbances grow.
+pub(super) type Tinted<'a> = (&'a [usize], Option<&'a str>);
 
 /// All classes in the order in which they were met.
 #[derive(Clone, Debug)]
@@ -67,12 +70,14 @@ impl Classes {
             Judge::Level(level) => numbers.first().map(|(value, _)| usize::from(*value >= level)).into_iter().collect(),
             Judge::Gaps => numbers.iter().zip(&self.groups).map(|((value, _), groups)| groups.which(*value)).collect(),
         };
-        Sort::Found(which, row.stable)
+        Sort::Found(which, row.stable, row.resonance.clone())
     }
 
     /// The name of a class; `numbers` are the names of what is observed, `level` the level in words.
     pub(super) fn name(&self, machine: &Machine, class: Class, (numbers, level): (&[String], &Text)) -> Text {
-        let Some(Sort::Found(which, stable)) = self.sorts.get(class) else { return Text::new("no result", "нет результата") };
+        let Some(Sort::Found(which, stable, resonance)) = self.sorts.get(class) else {
+            return Text::new("no result", "нет результата");
+        };
         let first = which.first().copied().unwrap_or(0);
         let regime = match self.judge {
             Judge::Regimes => Text::same(regimes::name(machine, first).map_or_else(|| "-".to_owned(), str::to_owned)),
@@ -89,12 +94,15 @@ impl Classes {
         };
         let verdict = match stable {
             // beside places that have one it is a limiting case
-            None if regime.en.is_empty() && self.sorts.iter().any(|sort| matches!(sort, Sort::Found(_, Some(_)))) => {
+            None if regime.en.is_empty() && self.sorts.iter().any(|sort| matches!(sort, Sort::Found(_, Some(_), _))) => {
                 Text::new("limiting case", "граничный случай")
             }
             None => return regime,
             Some(true) => Text::new("stable", "устойчиво"),
-            Some(false) => Text::new("unstable", "неустойчиво"),
+            Some(false) => match resonance {
+                Some(name) => Text::new(format!("unstable ({name})"), format!("неустойчиво ({name})")),
+                None => Text::new("unstable", "неустойчиво"),
+            },
         };
         if regime.en.is_empty() {
             return verdict;
@@ -109,11 +117,11 @@ impl Classes {
 
     /// The verdict of a class.
     pub(super) fn stable(&self, class: Class) -> Option<bool> {
-        if let Some(Sort::Found(_, stable)) = self.sorts.get(class) { *stable } else { None }
+        if let Some(Sort::Found(_, stable, _)) = self.sorts.get(class) { *stable } else { None }
     }
 
-    /// A class without its verdict: what is tinted alike. None without a result.
-    pub(super) fn regime(&self, class: Class) -> Option<&[usize]> {
-        if let Some(Sort::Found(which, _)) = self.sorts.get(class) { Some(which) } else { None }
+    /// A class without its verdict: what is tinted alike, and what makes disturbances grow there. None without a result.
+    pub(super) fn regime(&self, class: Class) -> Option<Tinted<'_>> {
+        if let Some(Sort::Found(which, _, resonance)) = self.sorts.get(class) { Some((which, resonance.as_deref())) } else { None }
     }
 }

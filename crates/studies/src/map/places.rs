@@ -123,7 +123,16 @@ fn of_diagram(diagram: &Plane, ranges: &[SweepRange; 2], (places, cells): (&[Pla
             Verdict::Unstable => Some(false),
             Verdict::Limit => None,
         };
-        Row { values: values(ranges, *place), numbers: Ok(Vec::new()), audit: None, stands: None, anew: 0, regime: None, stable }
+        Row {
+            values: values(ranges, *place),
+            numbers: Ok(Vec::new()),
+            audit: None,
+            stands: None,
+            anew: 0,
+            regime: None,
+            stable,
+            resonance: None,
+        }
     };
     places.iter().zip(traces).map(row).collect()
 }

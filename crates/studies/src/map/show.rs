@@ -1,6 +1,6 @@
 //! The map as pictures: regimes in tints, numbers in a scale of colours, what is unstable or has no result hatched, the boundaries over it.
 
-use super::classes::{Classes, Judge};
+use super::classes::{Classes, Judge, Tinted};
 use crate::results::{Results, Show, View};
 use analysis::dataset::Column;
 use analysis::studies::map::{Class, Map};
@@ -68,15 +68,20 @@ impl Shown {
 
     /// Regimes; places that differ by their verdict alone have one tint.
     fn of_classes(&self, (side, places): &(usize, Vec<Option<(usize, Class)>>), language: Language) -> Figure {
-        let mut kinds: Vec<(&[usize], String)> = Vec::new();
+        let mut kinds: Vec<(Tinted<'_>, String)> = Vec::new();
         for class in 0..self.names.len() {
             let Some(regime) = self.classes.regime(class) else { continue };
             if !kinds.iter().any(|(known, _)| *known == regime) {
                 let name = language.text(&self.names[class]);
                 let verdict = self.classes.stable(class).and(name.rsplit_once(", ")).map_or(name, |(regime, _)| regime);
                 // where nothing but the verdict tells places apart, it is the tint of what is stable
-                let verdict = if regime.is_empty() { language.pick("stable", "устойчиво") } else { verdict };
-                kinds.push((regime, verdict.to_owned()));
+                let verdict = match (regime.0.is_empty(), regime.1) {
+                    (true, None) => language.pick("stable", "устойчиво").to_owned(),
+                    (true, Some(resonance)) => resonance.to_owned(),
+                    (false, None) => verdict.to_owned(),
+                    (false, Some(resonance)) => format!("{verdict}, {resonance}"),
+                };
+                kinds.push((regime, verdict));
             }
         }
         let tint = |class: Class| self.classes.regime(class).and_then(|regime| kinds.iter().position(|(known, _)| *known == regime));

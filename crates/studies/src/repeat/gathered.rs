@@ -6,7 +6,7 @@ use super::one::{At, one};
 use super::regimes;
 use super::repeated::Repeated;
 use super::stands::{self, Stands};
-use super::verdict::verdict;
+use super::verdict::{resonance, verdict};
 use super::wanted::Noted;
 use crate::machine::Machine;
 use crate::results::{Fact, Results};
@@ -60,6 +60,8 @@ pub(crate) struct Row {
     pub(crate) regime: Option<usize>,
     /// Whether what was found is stable, where the study says so.
     pub(crate) stable: Option<bool>,
+    /// What makes disturbances grow, where the study says so.
+    pub(crate) resonance: Option<String>,
 }
 
 impl Row {
@@ -71,10 +73,11 @@ impl Row {
         let audit = audits.map(|audits| audits.iter().find(|a| !a.ok).cloned());
         let stands = outcome.as_ref().ok().and_then(|finding| stands::stands(&at.machine, &finding.data));
         let stable = outcome.as_ref().ok().and_then(verdict);
+        let resonance = outcome.as_ref().ok().and_then(resonance);
         let numbers: Result<Vec<_>, Notice> =
             outcome.and_then(|finding| repeated.noted.iter().map(|(_, wanted)| number(&finding, wanted)).collect());
         let regime = numbers.as_ref().ok().and_then(|found| regimes::of(&at.machine, &repeated.noted, found));
-        Row { values, numbers, audit, stands, anew: at.anew - before, regime, stable }
+        Row { values, numbers, audit, stands, anew: at.anew - before, regime, stable, resonance }
     }
 }
 

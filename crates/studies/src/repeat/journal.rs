@@ -124,7 +124,7 @@ pub(crate) fn line(place: usize, row: &Row) -> String {
     let values: Vec<Value> = row.values.iter().map(|(name, value)| json!([name, bits(*value)])).collect();
     let checked = row.audit.is_some();
     summed(
-        &json!({"row": place, "values": values, "numbers": numbers, "checked": checked, "audit": audit.flatten(), "stands": stands, "anew": row.anew, "regime": row.regime, "stable": row.stable}),
+        &json!({"row": place, "values": values, "numbers": numbers, "checked": checked, "audit": audit.flatten(), "stands": stands, "anew": row.anew, "regime": row.regime, "stable": row.stable, "resonance": row.resonance}),
     )
 }
 
@@ -161,7 +161,8 @@ pub(crate) fn row(line: &str) -> Option<(usize, Row)> {
     let anew = value.get("anew")?.as_u64()? as usize;
     let regime = value.get("regime")?.as_u64().map(|n| n as usize);
     let stable = value.get("stable")?.as_bool();
-    Some((place, Row { values, numbers, audit, stands, anew, regime, stable }))
+    let resonance = value.get("resonance")?.as_str().map(str::to_owned);
+    Some((place, Row { values, numbers, audit, stands, anew, regime, stable, resonance }))
 }
 
 fn found(value: &Value) -> Option<(f64, Option<Quantity>)> {

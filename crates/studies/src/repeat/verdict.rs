@@ -3,6 +3,11 @@
 use crate::Results;
 use serde_json::Value;
 
+/// What makes small disturbances grow, by the frequency at which its tongue opens; none where nothing grows, or it has no name.
+pub(super) fn resonance(results: &Results) -> Option<String> {
+    results.own.get("resonance")?.get("name")?.as_str().map(str::to_owned)
+}
+
 /// The verdict of a regime (`stable`), of small disturbances (`verdict`), or of the only place of rest; none where the study gives none, or cannot decide.
 pub(super) fn verdict(results: &Results) -> Option<bool> {
     match (results.own.get("stable"), results.own.get("verdict").and_then(Value::as_str)) {

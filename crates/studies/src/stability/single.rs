@@ -121,8 +121,7 @@ fn to_json(point: &Point) -> serde_json::Map<String, Value> {
         own.extend(of_scalar(scalar));
     }
     if let Some(r) = &point.resonance {
-        let value =
-            json!({"kind": r.tongue.key(), "order": r.order, "frequencies": r.frequencies, "forcing": r.forcing, "detuning": r.detuning});
+        let value = json!({"kind": r.tongue.key(), "order": r.order, "frequencies": r.frequencies, "forcing": r.forcing, "detuning": r.detuning, "name": r.name()});
         own.insert("resonance".into(), value);
     }
     own

@@ -56,12 +56,37 @@ pub struct Resonance {
     pub tongue: Tongue,
     /// k.
     pub order: usize,
+    /// i, j: which of the frequencies of the averaged equations, from the least on, counted from 1.
+    pub pair: [usize; 2],
     /// Ω_i, Ω_j, rad/s.
     pub frequencies: [f64; 2],
     /// ω, rad/s.
     pub forcing: f64,
     /// Ω_j ± Ω_i - kω, rad/s.
     pub detuning: f64,
+}
+
+impl Resonance {
+    /// Where its tongue opens: ω ≈ 2Ω₁/3, ω ≈ (Ω₁ + Ω₂)/2; none where the averaged equations are unstable.
+    pub fn name(&self) -> Option<String> {
+        let [i, j] = self.pair.map(|k| format!("Ω{}", lowered(k)));
+        let over = |text: String| if self.order == 1 { text } else { format!("({text})/{}", self.order) };
+        let frequency = match (self.tongue, self.order) {
+            (Tongue::Averaged, _) => return None,
+            (Tongue::Sum, _) => over(format!("{i} + {j}")),
+            (Tongue::Difference, _) => over(format!("{j} − {i}")),
+            (_, 1) => format!("2{j}"),
+            (_, 2) => j,
+            (_, order) if order.is_multiple_of(2) => format!("{j}/{}", order / 2),
+            (_, order) => format!("2{j}/{order}"),
+        };
+        Some(format!("ω ≈ {frequency}"))
+    }
+}
+
+/// A number as an index.
+fn lowered(number: usize) -> String {
+    number.to_string().chars().map(|digit| digit.to_digit(10).and_then(|d| char::from_u32(0x2080 + d)).unwrap_or(digit)).collect()
 }
 
 /// The resonance that a growing disturbance belongs to; none where no combination of low order has its frequency. The coefficients are given at equally spaced instants.
@@ -72,7 +97,7 @@ pub fn resonance(period: f64, rows: &[Vec<f64>], growing: Exponent) -> Result<Op
     let values = general(n, &mean)?.values;
     let forcing = TAU / period;
     if values.iter().any(|s| s.re > 0.5 * growing.growth && s.re > 0.0) {
-        return Ok(Some(Resonance { tongue: Tongue::Averaged, order: 0, frequencies: [0.0; 2], forcing, detuning: 0.0 }));
+        return Ok(Some(Resonance { tongue: Tongue::Averaged, order: 0, pair: [0; 2], frequencies: [0.0; 2], forcing, detuning: 0.0 }));
     }
     let mut own: Vec<f64> = values.iter().map(|s| s.im).filter(|w| *w > 0.0).collect();
     own.sort_by(f64::total_cmp);
@@ -92,7 +117,7 @@ fn combinations(own: &[f64], forcing: f64) -> impl Iterator<Item = Resonance> + 
                 (_, false, _) => Tongue::Difference,
             };
             let detuning = own[j] + sign * own[i] - order as f64 * forcing;
-            Resonance { tongue, order, frequencies: [own[i], own[j]], forcing, detuning }
+            Resonance { tongue, order, pair: [i + 1, j + 1], frequencies: [own[i], own[j]], forcing, detuning }
         };
         (1..=ORDERS).flat_map(move |k| [of(1.0, k)].into_iter().chain((i != j).then(|| of(-1.0, k))))
     })
@@ -137,11 +162,16 @@ mod tests {
     #[test]
     fn tongues_are_named_by_their_frequencies() {
         assert_eq!(named(&[1.0], 2.05, 1.025).tongue, Tongue::Principal);
+        assert_eq!(named(&[1.0], 2.05, 1.025).name().as_deref(), Some("ω ≈ 2Ω₁"));
         let second = named(&[1.0], 1.02, 0.0);
+        assert_eq!(second.name().as_deref(), Some("ω ≈ Ω₁"));
         assert_eq!((second.tongue, second.order), (Tongue::Parametric, 2));
         // Ω₁ + Ω₂ = 1 + 1.7; the disturbance has (ω + Ω₂ - Ω₁)/2 less ω
         let sum = named(&[1.0, 1.7], 2.7, -1.0);
         assert!(sum.tongue == Tongue::Sum && sum.order == 1 && sum.detuning.abs() < STEPS, "{sum:?}");
+        assert_eq!(sum.name().as_deref(), Some("ω ≈ Ω₁ + Ω₂"));
+        let half = Resonance { order: 2, ..sum };
+        assert_eq!(half.name().as_deref(), Some("ω ≈ (Ω₁ + Ω₂)/2"));
         let difference = named(&[1.0, 1.7], 0.7, 0.3);
         assert_eq!((difference.tongue, difference.order), (Tongue::Difference, 1));
     }
