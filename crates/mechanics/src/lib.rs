@@ -29,6 +29,6 @@ pub mod units;
 pub mod variants;
 
 pub use model::Model;
-pub use read::{MAX_FILE, MAX_FINDINGS, Reading, SHAPES, read, read_with, split_override, sweep_range};
+pub use read::{MAX_FILE, MAX_FINDINGS, Reading, SHAPES, read, read_with, split_override, sweep_range, sweep_stretch};
 pub use scene::is_spatial;
 pub use scene::places::Places;

@@ -305,6 +305,7 @@ impl Reading<'_> {
             Takes::Results => Value::Words(self.results(texts)?),
             Takes::Observed => Value::Words(quantities::observed(option, texts)?),
             Takes::Guess => Value::Guess(quantities::guess(texts, self.machine)?),
+            Takes::Stretch => Value::Ranges(vec![quantities::stretch(option, text, self.machine)?]),
             _ => Value::Word(key.option.and_then(|line| line.sets).unwrap_or(text).to_owned()),
         })
     }

@@ -123,6 +123,12 @@ pub fn guess(list: &[String], machine: &studies::pipeline::Machine) -> Result<Ve
     coordinates("--guess", list, machine)
 }
 
+/// A parameter, a start or a starting rate between two values: `m=2 g..60 g`.
+pub fn stretch(key: &str, text: &str, machine: &studies::pipeline::Machine) -> Result<mechanics::model::SweepRange, Failure> {
+    let told = |notice: Notice| bad(key, text, &notice.message.what, &notice.message.help);
+    mechanics::sweep_stretch(&machine.model, text).map_err(told)
+}
+
 /// Values of coordinates, given by this key of the command line.
 fn coordinates(key: &str, list: &[String], machine: &studies::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
     let mut found = Vec::new();

@@ -1,8 +1,10 @@
 //! The study `continue`: regimes and places of rest along a parameter, over folds and onto the branches that part, with what happens on the way.
 
 mod asked;
+mod creases;
 mod explained;
 mod family;
+mod phrases;
 mod show;
 mod tell;
 
@@ -15,11 +17,11 @@ use crate::periodic::{self, no_parameter, value_of};
 use crate::results::Rows;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
-use analysis::studies::continuation::{Diagram, Family, Options, regimes, rests};
+use analysis::studies::continuation::{Diagram, Family, Options, Second, regimes, rests};
 use analysis::studies::periodic::{Listener, Periodic, Return};
-use asked::{Branched, Followed};
+use asked::{Beside, Branched, Followed};
 use family::Bound;
-use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
+use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Value, Way, Words};
 use words::explain::Explanation;
 use words::{Notice, Text};
 
@@ -83,6 +85,20 @@ static KIND: Kind = Kind::new(
     )
     .default("12", "12")
     .option("Most branches", "Наибольшее число ветвей"),
+    Key::new(
+        "second",
+        Takes::Stretch,
+        (
+            "a second parameter, along which the folds and period doublings of the branches are followed: name=from..to",
+            "второй параметр, вдоль которого прослеживаются складки и удвоения периода: имя=от..до",
+        ),
+        "\"F=0.1 N..2 N\"",
+    )
+    .option(
+        "A second parameter for curves of folds and period doublings: \"F=0.1 N..2 N\"",
+        "Второй параметр для кривых складок и удвоений периода: \"F=0.1 Н..2 Н\"",
+    )
+    .way(Way::Written),
     TOLERANCE,
 ])
 .check(objections);
@@ -97,6 +113,15 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                     "write parameter = \"w\", from = \"0.2 rad/s\", to = \"3 rad/s\"",
                     "напишите parameter = \"w\", from = \"0.2 rad/s\", to = \"3 rad/s\"",
                 ),
+        );
+    }
+    if let Some(Value::Ranges(ranges)) = asked.get("second")
+        && let Some(name) = ranges.first().map(|range| range.name.as_str()).filter(|name| asked.word("parameter") == Some(*name))
+    {
+        found.push(
+            Objection::at("second", "M071", format!("`{name}` is both parameters"), format!("`{name}` — оба параметра сразу"))
+                .why("folds are followed in the plane of two parameters", "складки прослеживаются на плоскости двух параметров")
+                .help("name another parameter in `second`", "назовите в `second` другой параметр"),
         );
     }
     found.extend(backwards(asked));
@@ -160,13 +185,50 @@ impl Study for Branches {
     }
 }
 
+/// The second parameter, which the branches have between its ends.
+///
+/// # Errors
+/// C031 where it is no parameter, S157 where its value lies outside.
+fn beside(machine: &Machine, second: &Beside) -> Result<Second, Notice> {
+    let ([from, to], here) = (second.range, second.here);
+    if here.is_nan() {
+        return Err(no_parameter(machine, &second.name));
+    }
+    if !(from..=to).contains(&here) {
+        let name = &second.name;
+        let fault = Notice::new(
+            "S157",
+            format!("the value of `{name}` in the file lies outside of the range of `second`"),
+            format!("значение `{name}` в файле лежит вне промежутка `second`"),
+        );
+        return Err(fault
+            .why(
+                "curves begin at the folds and period doublings of the branches, which have the value of the file",
+                "кривые начинаются в складках и удвоениях периода ветвей, а ветви построены при значении из файла",
+            )
+            .help(
+                format!("take a range with that value, or another value: --set {name}=..."),
+                format!("возьмите промежуток с этим значением или другое значение: --set {name}=..."),
+            ));
+    }
+    Ok(Second { from, to, here })
+}
+
 /// Follows what is asked for.
 fn diagram(machine: &Machine, study: &Branched, watch: &mut Watch) -> Result<Diagram, Notice> {
     let here = value_of(machine, &study.name).ok_or_else(|| no_parameter(machine, &study.name))?;
     let start = if (study.from..=study.to).contains(&here) { here } else { study.from };
+    let second = study.second.as_ref().map(|second| beside(machine, second)).transpose()?;
     let mut family = Bound::new(machine, study);
-    let options =
-        Options { from: study.from, to: study.to, start, points: study.points, branches: study.branches, interrupt: watch.interrupt };
+    let options = Options {
+        from: study.from,
+        to: study.to,
+        start,
+        points: study.points,
+        branches: study.branches,
+        second,
+        interrupt: watch.interrupt,
+    };
     match &study.of {
         Followed::Orbits(regime) => {
             let asked = family.regime(regime, start)?;

@@ -29,7 +29,7 @@ mod variants;
 
 pub use crate::reader::MAX_FINDINGS;
 pub use overrides::split as split_override;
-pub use ranges::sweep_range;
+pub use ranges::{sweep_range, sweep_stretch};
 pub use shapes::SHAPES;
 
 use crate::asked::Kinds;

@@ -55,7 +55,18 @@ impl Range {
 /// # Errors
 /// The text is no range (M070), the model has no such name (M068), or the dimension is another (M024).
 pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Notice> {
-    let range = parse(text)?;
+    of_model(model, parse(text)?)
+}
+
+/// The same between two values, `m=2 g..60 g`.
+///
+/// # Errors
+/// As for a range.
+pub fn sweep_stretch(model: &Model, text: &str) -> Result<SweepRange, Notice> {
+    of_model(model, stretch(text)?)
+}
+
+fn of_model(model: &Model, range: Range) -> Result<SweepRange, Notice> {
     let parameter = model.parameters.iter().find(|p| p.name == range.name).map(|p| p.unit.as_str());
     let coordinate = || {
         let base = range.name.trim_end_matches('\'');

@@ -1,10 +1,10 @@
 //! What is asked of branches.
 
 use crate::machine::Machine;
-use crate::periodic::{self, Periodic};
+use crate::periodic::{self, Periodic, value_of};
 use crate::{equilibrium, stability};
 use analysis::{Quantity, System};
-use mechanics::asked::Asked;
+use mechanics::asked::{Asked, Value};
 
 /// Most points of a branch without a wish.
 const POINTS: usize = 2000;
@@ -24,10 +24,23 @@ pub(super) struct Branched {
     pub(super) points: usize,
     /// Most branches.
     pub(super) branches: usize,
+    /// The parameter over which folds and period doublings are followed.
+    pub(super) second: Option<Beside>,
     /// What is followed.
     pub(super) of: Followed,
     /// Place of the study of the file that says what a period is: its formulas are read anew with other values.
     pub(super) place: std::ops::Range<usize>,
+}
+
+/// A second parameter; SI.
+#[derive(Clone, Debug)]
+pub(super) struct Beside {
+    /// Its name.
+    pub(super) name: String,
+    /// Its ends.
+    pub(super) range: [f64; 2],
+    /// Its value in the file.
+    pub(super) here: f64,
 }
 
 /// What is followed.
@@ -53,20 +66,31 @@ impl Branched {
             to: asked.number("to").unwrap_or(0.0),
             points: asked.count("points").unwrap_or(POINTS),
             branches: asked.count("branches").unwrap_or(BRANCHES),
+            second: second(machine, asked),
             of: source.map_or(Followed::Rest, |source| Followed::Orbits(Box::new(Periodic::of(source)))),
             place: source.map_or(0..0, |source| source.span.clone()),
         }
     }
 }
 
-/// Printed symbol of the parameter.
-pub(super) fn symbol(machine: &Machine, study: &Branched) -> String {
-    machine.model.notation.iter().find(|(n, _)| *n == study.name).map_or(study.name.clone(), |(_, s)| s.clone())
+/// The stretch of the key `second` with the value that the machine has.
+fn second(machine: &Machine, asked: &Asked) -> Option<Beside> {
+    let Some(Value::Ranges(ranges)) = asked.get("second") else { return None };
+    let range = ranges.first()?;
+    let ends = [range.values.first(), range.values.last()].map(|end| end.copied().unwrap_or(0.0));
+    // what is no parameter has no value that could be changed
+    let here = value_of(machine, &range.name).unwrap_or(f64::NAN);
+    Some(Beside { name: range.name.clone(), range: ends, here })
+}
+
+/// Printed symbol of a parameter.
+pub(super) fn symbol(machine: &Machine, name: &str) -> String {
+    machine.model.notation.iter().find(|(n, _)| n == name).map_or(name.to_owned(), |(_, s)| s.clone())
 }
 
 /// Its unit.
-pub(super) fn unit(machine: &Machine, study: &Branched) -> String {
-    machine.model.parameters.iter().find(|p| p.name == study.name).map_or("1".into(), |p| p.unit.clone())
+pub(super) fn unit(machine: &Machine, name: &str) -> String {
+    machine.model.parameters.iter().find(|p| p.name == name).map_or("1".into(), |p| p.unit.clone())
 }
 
 /// Coordinates with their units and symbols.

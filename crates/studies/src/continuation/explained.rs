@@ -61,4 +61,24 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
              `strutt sweep` повторяет его по параметру и учитывает контакты. Периодические движения с контактами и трением `continue` прослеживает, если задать `period` или `section`.",
         ),
     ),
+    plain(
+        "S156",
+        ("a fold or period doubling that cannot be followed", "складка или удвоение периода не прослеживается"),
+        (
+            "Along a curve of folds one multiplier stays at 1 (a root at 0), along one of period doublings at −1. Where a second multiplier comes to the same place, as at the onset of a pair of them, the curve has no single \
+             direction by these equations and ends there.",
+            "Вдоль кривой складок один мультипликатор остаётся равным 1 (корень равен 0), вдоль кривой удвоений периода — равным −1. Если туда же приходит второй мультипликатор, эти уравнения не определяют \
+             направления кривой, и она там обрывается.",
+        ),
+    ),
+    plain(
+        "S157",
+        ("the second parameter is not where the branches are", "второй параметр не там, где построены ветви"),
+        (
+            "With `second` the study `continue` follows the folds and period doublings of its branches over another parameter. The branches have the value of that parameter that the file gives, so the range of `second` \
+             has to contain it.",
+            "С ключом `second` расчёт `continue` прослеживает складки и удвоения периода своих ветвей вдоль другого параметра. Ветви построены при том его значении, которое дано в файле, поэтому промежуток `second` \
+             должен это значение содержать.",
+        ),
+    ),
 ];

@@ -15,6 +15,8 @@ pub(super) struct Bound<'a> {
     /// The regime as the file has it before any value is set.
     written: Option<Periodic>,
     pub(super) machine: Machine,
+    /// Value of the second parameter.
+    second: Option<f64>,
     last: Option<f64>,
     period: Period,
 }
@@ -33,7 +35,8 @@ enum Period {
 impl<'a> Bound<'a> {
     pub(super) fn new(machine: &Machine, study: &'a Branched) -> Bound<'a> {
         let written = in_file(machine, study);
-        Bound { study, written, machine: machine.clone(), last: None, period: Period::Read }
+        let second = study.second.as_ref().map(|second| second.here);
+        Bound { study, written, machine: machine.clone(), second, last: None, period: Period::Read }
     }
 
     /// The regime as it reads at a value of the parameter; what the command line says instead of the file holds.
@@ -55,7 +58,9 @@ impl<'a> Bound<'a> {
     }
 
     fn bind(&mut self, value: f64) -> Result<Binding, Fault> {
-        self.machine.bind(&[(&self.study.name, value)]).map_err(|failure| Fault::from(in_words(failure)))
+        let mut values = vec![(self.study.name.as_str(), value)];
+        values.extend(self.study.second.as_ref().zip(self.second).map(|(second, value)| (second.name.as_str(), value)));
+        self.machine.bind(&values).map_err(|failure| Fault::from(in_words(failure)))
     }
 
     /// The period of a machine whose file has just been read, and how it follows from the parameter. Where a formula gives it, the studies are forgotten: they
@@ -102,5 +107,11 @@ impl Family for Bound<'_> {
             (Period::Read, Followed::Rest) => None,
         };
         Ok((&mut self.machine.system, period))
+    }
+
+    fn hold(&mut self, second: f64) {
+        if self.second != Some(second) {
+            (self.second, self.last) = (Some(second), None);
+        }
     }
 }

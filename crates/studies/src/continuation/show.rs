@@ -1,6 +1,7 @@
 //! The diagram: stable parts of branches solid, unstable ones dashed, special points marked by their numbers.
 
 use super::asked::{Branched, coordinates, symbol, unit};
+use super::creases::Chart;
 use crate::machine::Machine;
 use crate::results::{Results, Show, View};
 use analysis::studies::continuation::{Diagram, Place};
@@ -18,6 +19,8 @@ pub(super) struct Shown {
     /// For each branch its points: parameter, greatest values of the coordinates, whether stable.
     curves: Vec<Vec<Point>>,
     special: Vec<Point>,
+    /// The plane of both parameters.
+    chart: Option<Chart>,
 }
 
 #[derive(Clone, Debug)]
@@ -37,10 +40,11 @@ impl Point {
 impl Shown {
     pub(super) fn new(machine: &Machine, study: &Branched, diagram: &Diagram) -> Shown {
         Shown {
-            parameter: Quantity { symbol: symbol(machine, study), ..Quantity::new(&study.name, &unit(machine, study)) },
+            parameter: Quantity { symbol: symbol(machine, &study.name), ..Quantity::new(&study.name, &unit(machine, &study.name)) },
             coordinates: coordinates(machine),
             curves: diagram.curves.iter().map(|curve| curve.places.iter().map(Point::of).collect()).collect(),
             special: diagram.special.iter().map(|(_, _, special)| Point::of(&special.place)).collect(),
+            chart: Chart::new(machine, study, diagram),
         }
     }
 
@@ -113,6 +117,7 @@ impl Show for Shown {
                 field: None,
             });
         }
+        figures.extend(self.chart.as_ref().map(|chart| chart.figure(language)));
         figures
     }
 }

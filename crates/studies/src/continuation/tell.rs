@@ -1,23 +1,27 @@
 //! Branches as rows, fields of JSON and sentences.
 
 use super::asked::{Branched, coordinates, symbol, unit};
+use super::creases;
+use super::phrases::{end_in_words, name, state};
 use super::show::Shown;
 use crate::equilibrium;
-use crate::machine::{Machine, explained};
+use crate::machine::Machine;
 use crate::periodic::{self, json_of};
 use crate::provenance;
 use crate::results::{Body, Fact, Results};
 use analysis::dataset::{Audit, Column};
-use analysis::studies::continuation::{Curve, Diagram, End, Facts, Of, Place, Special, What};
-use analysis::{Dataset, Quantity, System};
-use serde_json::{Map, Value, json};
+use analysis::studies::continuation::{Crease, Curve, Diagram, Facts, Of, Place, Special};
+use analysis::{Dataset, Quantity};
+use serde_json::{Value, json};
 use std::sync::Arc;
 use words::{Language, Text};
 
 /// Puts a diagram into results.
 pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, results: &mut Results) {
     results.data = provenance::stamp(dataset(machine, study, diagram), &machine.equations, &machine.model_hash);
-    results.own.insert("parameter".into(), json!({"name": study.name, "unit": unit(machine, study), "from": study.from, "to": study.to}));
+    results
+        .own
+        .insert("parameter".into(), json!({"name": study.name, "unit": unit(machine, &study.name), "from": study.from, "to": study.to}));
     results.own.insert("branches".into(), diagram.curves.iter().enumerate().flat_map(|(k, curve)| pieces(machine, k, curve)).collect());
     results
         .own
@@ -26,8 +30,13 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
     results.own.insert("work".into(), json!({"turns": diagram.work.turns, "variations": diagram.work.variations}));
     for (k, (_, _, special)) in diagram.special.iter().enumerate() {
         let label = Text::new(format!("point {}: {}", k + 1, name(special.what).en), format!("точка {}: {}", k + 1, name(special.what).ru));
-        let fact =
-            Fact::new(&format!("special_{}", k + 1), &symbol(machine, study), &unit(machine, study), special.place.parameter(), label);
+        let fact = Fact::new(
+            &format!("special_{}", k + 1),
+            &symbol(machine, &study.name),
+            &unit(machine, &study.name),
+            special.place.parameter(),
+            label,
+        );
         results.facts.push(fact.with_words(extent(machine, study, special)));
     }
     for (k, curve) in diagram.curves.iter().enumerate() {
@@ -64,6 +73,7 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
         "What hangs together with the first motion is followed; closed branches apart from it are not looked for.",
         "Прослежено то, что связано с исходным движением; отдельно лежащие замкнутые ветви не разыскиваются.",
     ));
+    creases::tell(machine, study, diagram, results);
     results.body = Body::After(Arc::new(Shown::new(machine, study, diagram)));
 }
 
@@ -76,7 +86,7 @@ fn extent(machine: &Machine, study: &Branched, special: &Special) -> Text {
     let bound = |language: Language| {
         let number = report::number::short(special.within, 2, Language::En);
         let number = if language == Language::Ru { number.replace('.', ",") } else { number };
-        let printed = format!("; ± {number} {}", report::unit::print(&unit(machine, study), language));
+        let printed = format!("; ± {number} {}", report::unit::print(&unit(machine, &study.name), language));
         if unsure { printed.trim_end().to_owned() } else { String::new() }
     };
     let list = |language: Language| {
@@ -92,43 +102,56 @@ fn extent(machine: &Machine, study: &Branched, special: &Special) -> Text {
     Text::new(words("greatest", Language::En), words("наибольшее", Language::Ru))
 }
 
-/// What happens, in words.
-pub(super) fn name(what: What) -> Text {
-    match what {
-        What::Fold => Text::new("fold: the branch turns", "поворот ветви (складка)"),
-        What::Branch => Text::new("branch point: another branch crosses", "точка ветвления: пересечение с другой ветвью"),
-        What::Hopf => Text::new("Hopf point: oscillations set in", "бифуркация Хопфа: возникают колебания"),
-        What::Doubling => Text::new("period doubling", "удвоение периода"),
-        What::Torus => Text::new("torus: beats set in", "рождение тора: возникают биения"),
-        What::Grazing => Text::new("grazing: a switch is only touched", "касание: переключение едва достигается"),
-    }
+/// A row of the table.
+struct Row<'a> {
+    /// Number of the branch, or 0.
+    branch: usize,
+    /// Number of the curve of folds or period doublings, or 0.
+    crease: usize,
+    /// Both parameters.
+    plane: [f64; 2],
+    place: &'a Place,
 }
 
 fn dataset(machine: &Machine, study: &Branched, diagram: &Diagram) -> Dataset {
-    let places: Vec<(usize, &Place)> = diagram.curves.iter().enumerate().flat_map(|(k, c)| c.places.iter().map(move |p| (k, p))).collect();
-    let column = |name: &str, (symbol, unit): (&str, &str), label: Text, value: &dyn Fn(&(usize, &Place)) -> f64| Column {
+    let here = study.second.as_ref().map_or(0.0, |second| second.here);
+    let on_branches = diagram.curves.iter().enumerate().flat_map(|(k, curve)| {
+        curve.places.iter().map(move |place| Row { branch: k + 1, crease: 0, plane: [place.parameter(), here], place })
+    });
+    let on_creases = diagram.creases.iter().enumerate().flat_map(|(k, crease)| {
+        crease.curve.places.iter().map(move |place| Row { branch: 0, crease: k + 1, plane: Crease::plane(place), place })
+    });
+    let rows: Vec<Row<'_>> = on_branches.chain(on_creases).collect();
+    let column = |name: &str, (symbol, unit): (&str, &str), label: Text, value: &dyn Fn(&Row<'_>) -> f64| Column {
         quantity: Quantity { symbol: symbol.into(), label, ..Quantity::new(name, unit) },
-        values: places.iter().map(value).collect(),
+        values: rows.iter().map(value).collect(),
     };
-    let label = machine.model.parameters.iter().find(|p| p.name == study.name).map(|p| p.label.clone()).unwrap_or_default();
-    let mut columns = vec![
-        column("branch", ("branch", "1"), Text::new("number of the branch", "номер ветви"), &|(k, _)| (k + 1) as f64),
-        column(&study.name, (&symbol(machine, study), &unit(machine, study)), label, &|(_, p)| p.parameter()),
-        column(
-            "stable",
-            ("stable", "1"),
-            Text::new("1 stable, −1 unstable, 0 not decided", "1 — устойчиво, −1 — неустойчиво, 0 — не решено"),
-            &|(_, p)| p.facts().stable.map_or(0.0, |s| if s { 1.0 } else { -1.0 }),
-        ),
-    ];
+    let parameter = |name: &str, value: &dyn Fn(&Row<'_>) -> f64| {
+        let label = machine.model.parameters.iter().find(|p| p.name == name).map(|p| p.label.clone()).unwrap_or_default();
+        column(name, (&symbol(machine, name), &unit(machine, name)), label, value)
+    };
+    let mut columns =
+        vec![column("branch", ("branch", "1"), Text::new("number of the branch", "номер ветви"), &|row| row.branch as f64)];
+    if study.second.is_some() {
+        let label = Text::new("number of the curve of folds or period doublings", "номер кривой складок или удвоений периода");
+        columns.push(column("curve", ("curve", "1"), label, &|row| row.crease as f64));
+    }
+    columns.push(parameter(&study.name, &|row| row.plane[0]));
+    columns.extend(study.second.as_ref().map(|second| parameter(&second.name, &|row| row.plane[1])));
+    columns.push(column(
+        "stable",
+        ("stable", "1"),
+        Text::new("1 stable, −1 unstable, 0 not decided", "1 — устойчиво, −1 — неустойчиво, 0 — не решено"),
+        &|row| row.place.facts().stable.map_or(0.0, |s| if s { 1.0 } else { -1.0 }),
+    ));
     if diagram.curves.iter().any(|c| c.of != Of::Rest) {
-        columns.push(column("period", ("T", "s"), Text::new("period", "период"), &|(_, p)| p.facts().period));
+        columns.push(column("period", ("T", "s"), Text::new("period", "период"), &|row| row.place.facts().period));
     }
     for (i, q) in coordinates(machine).iter().enumerate() {
         for (end, word, en, ru) in [(1, "max", "greatest value", "наибольшее значение"), (0, "min", "least value", "наименьшее значение")]
         {
             let names = (format!("{word}({})", q.name), format!("{}_{word}", q.symbol));
-            let value = |(_, p): &(usize, &Place)| p.facts().extremes[i][end];
+            let value = |row: &Row<'_>| row.place.facts().extremes[i][end];
             columns.push(column(&names.0, (&names.1, &q.unit), Text::new(en, ru), &value));
         }
     }
@@ -141,7 +164,8 @@ const ON_BRANCH: f64 = 1e-9;
 const LIOUVILLE: f64 = 1e-8;
 
 fn audits(diagram: &Diagram) -> Vec<Audit> {
-    let facts = || diagram.curves.iter().flat_map(|curve| &curve.places).map(Place::facts);
+    let creases = || diagram.creases.iter().map(|crease| &crease.curve);
+    let facts = || diagram.curves.iter().chain(creases()).flat_map(|curve| &curve.places).map(Place::facts);
     let most = |of: fn(&Facts) -> f64| facts().map(of).fold(0.0, f64::max);
     let name = Text::new("points lie on their branch: largest relative miss", "точки лежат на ветви: наибольшее относительное отклонение");
     let mut list = vec![Audit::at_most("on_branch", name, most(|f| f.miss), ON_BRANCH)];
@@ -168,16 +192,9 @@ fn pieces(machine: &Machine, which: usize, curve: &Curve) -> Vec<Value> {
 }
 
 fn point(machine: &Machine, place: &Place) -> Value {
-    let facts = place.facts();
-    let mut fields = Map::new();
+    let mut fields = state(machine, place);
     fields.insert("parameter".into(), json!(place.parameter()));
-    if facts.period > 0.0 {
-        fields.insert("period".into(), json!(facts.period));
-    }
-    let extremes = coordinates(machine).iter().zip(&facts.extremes).map(|(q, e)| (q.name.clone(), json!(e))).collect::<Map<_, _>>();
-    fields.insert("range".into(), extremes.into());
-    let start = machine.system.states().iter().zip(place.unknowns()).map(|(q, x)| (q.name.clone(), json!(x))).collect::<Map<_, _>>();
-    fields.insert("start".into(), start.into());
+    let facts = place.facts();
     fields.insert("stable".into(), json!(facts.stable));
     let numbers: Vec<Value> = facts.multipliers.iter().flatten().map(json_of).collect();
     fields.insert(if facts.period > 0.0 { "multipliers" } else { "roots" }.into(), json!(numbers));
@@ -210,58 +227,19 @@ fn curve_to_json(machine: &Machine, curve: &Curve) -> Value {
     })
 }
 
-/// Why a branch ends.
-fn end_in_words(machine: &Machine, end: &End) -> Text {
-    let text = Text::new;
-    match end {
-        End::Left => text("the range ends", "конец промежутка"),
-        End::Closed => text("it closes", "ветвь замыкается"),
-        End::Joins => text("it joins another branch", "ветвь приходит на другую ветвь"),
-        End::Points => text("the number of points is used up (`points`)", "исчерпано число точек (`points`)"),
-        End::Interrupted => text("interrupted", "прервано"),
-        End::Rests => text("the motion shrinks to a place of rest", "движение стягивается к положению равновесия"),
-        End::Grazes => text(
-            "a switch is only touched there (grazing), and what lies beyond does not follow from it",
-            "переключение там лишь едва достигается (касание), и продолжение из него не следует",
-        ),
-        End::Lingers => text(
-            "its period grows without bound: the motion comes ever nearer to an unstable place of rest (a homoclinic or heteroclinic motion)",
-            "период неограниченно растёт: движение подходит всё ближе к неустойчивому положению равновесия (гомоклиническое или гетероклиническое движение)",
-        ),
-        End::Stuck(step, fault) => {
-            let en = report::number::short(*step, 2, Language::En);
-            let ru = en.replace('.', ",");
-            let said = match fault {
-                Some(fault) => {
-                    let notice = explained(fault.clone(), &machine.equations);
-                    Text::new(format!("{} [{}]", notice.what.en, notice.code), format!("{} [{}]", notice.what.ru, notice.code))
-                }
-                None => text(
-                    "the corrections do not settle: the branch ends in a corner, or the motion has no derivative by its start there",
-                    "поправки не сходятся: ветвь кончается изломом или движение не имеет там производной по началу",
-                ),
-            };
-            Text::new(
-                format!("no step of {en} of the range leads on: {}", said.en),
-                format!("дальше не ведёт и шаг в {ru} промежутка: {}", said.ru),
-            )
-        }
-    }
-}
-
 /// A branch in a sentence.
 fn about(machine: &Machine, study: &Branched, (which, of): (usize, usize), curve: &Curve) -> Text {
     let short = |x: f64| report::number::short(x, 6, Language::En);
     let values = || curve.places.iter().map(Place::parameter);
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     let (low, high, points) = (short(low), short(high), curve.places.len());
-    let unit = unit(machine, study);
+    let unit = unit(machine, &study.name);
     let ends: Vec<Text> = curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
     let list = |pick: fn(&Text) -> &str| ends.iter().map(pick).collect::<Vec<_>>().join("; ");
     let (en_ends, ru_ends) = (list(|t| &t.en), list(|t| &t.ru));
     let printed = |language| if unit == "1" { String::new() } else { format!(" {}", report::unit::print(&unit, language)) };
     let (printed_en, printed_ru) = (printed(Language::En), printed(Language::Ru));
-    let symbol = symbol(machine, study);
+    let symbol = symbol(machine, &study.name);
     let which = which + 1;
     let (en, ru) =
         if of > 1 { (format!("Branch {which}"), format!("Ветвь {which}")) } else { ("The branch".into(), "Ветвь".into()) };

@@ -1,6 +1,7 @@
 //! The whole diagram: the branch of the motion or the place of rest that the file gives, in both directions, and those that part from it.
 
 use super::corrector;
+use super::crease;
 use super::curve::{Curve, End, Of};
 use super::diagram::{Diagram, Options, SAME, Work, followed};
 use super::orbits::Orbits;
@@ -31,6 +32,7 @@ pub fn regimes(family: &mut dyn Family, start: &[f64], periodic: &Periodic<'_>, 
     let of = Of::Orbits(usize::from(orbits.shooting.is_driven()));
     whole(&mut orbits, y, of, (options, &mut diagram))?;
     switching::of_orbits(&mut orbits, 0, options, &mut diagram);
+    crease::follow(&mut orbits, 0, (options, &mut diagram));
     let [turns, variations] = orbits.turns();
     diagram.work = Work { turns, variations };
     Ok(diagram)
@@ -46,6 +48,7 @@ pub fn rests(family: &mut dyn Family, start: &[f64], options: &Options<'_>) -> R
     let y = rests.settled(Rests::unknowns(start, n, options.start))?;
     whole(&mut rests, y, Of::Rest, (options, &mut diagram))?;
     switching::at_branch_points(&mut rests, 0, options, &mut diagram);
+    crease::follow(&mut rests, 0, (options, &mut diagram));
     let [turns, variations] = rests.turns();
     diagram.work = Work { turns, variations };
     let count = diagram.special.len();

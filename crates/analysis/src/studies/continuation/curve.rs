@@ -112,8 +112,8 @@ impl Curve {
 /// Where and how far a branch is followed.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds<'a> {
-    pub(super) from: f64,
-    pub(super) to: f64,
+    /// Ranges of the last unknowns, the last one's last.
+    pub(super) ranges: &'a [[f64; 2]],
     pub(super) points: usize,
     pub(super) interrupt: Option<&'a AtomicBool>,
 }
@@ -123,16 +123,24 @@ impl Bounds<'_> {
         self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
-    /// The bound that a value lies beyond.
-    fn passed(&self, value: f64) -> Option<f64> {
-        if value > self.to {
-            Some(self.to)
-        } else if value < self.from {
-            Some(self.from)
-        } else {
-            None
-        }
+    /// The first bound on the way from a that b lies beyond.
+    fn passed(&self, a: &[f64], b: &[f64]) -> Option<Bound> {
+        let first = b.len() - self.ranges.len();
+        let share = |bound: &Bound| (bound.value - a[bound.unknown]) / (b[bound.unknown] - a[bound.unknown]);
+        let beyond = |(i, [from, to]): (usize, &[f64; 2])| {
+            let unknown = first + i;
+            let value = b[unknown].clamp(*from, *to);
+            (value != b[unknown]).then_some(Bound { unknown, value })
+        };
+        self.ranges.iter().enumerate().filter_map(beyond).min_by(|u, v| share(u).total_cmp(&share(v)))
     }
+}
+
+/// An end of the range of an unknown.
+#[derive(Clone, Copy)]
+struct Bound {
+    unknown: usize,
+    value: f64,
 }
 
 /// What a step came to.
@@ -220,10 +228,10 @@ const STILL: f64 = 1e-5;
 
 /// Whether the period alone grows from a point on.
 fn lingers(a: &Place) -> bool {
-    let last = a.y.len() - 1;
-    let Some(before) = last.checked_sub(1).filter(|_| a.local.phase.is_some()) else { return false };
-    let [period, parameter] = [before, last].map(|i| a.tangent[i] / a.local.scales[i]);
-    parameter.abs() <= STILL * period
+    let Some((rates, _)) = &a.local.phase else { return false };
+    let n = rates.len();
+    let share = |i: usize| a.tangent[i] / a.local.scales[i];
+    (n + 1..a.y.len()).all(|i| share(i).abs() <= STILL * share(n))
 }
 
 /// Steps beyond the end of a branch at which the motion is looked at: from what corrections resolve to what a straight way is good for.
@@ -283,35 +291,32 @@ impl<'a> Way<'a> {
 fn step(zeros: &mut dyn Zeros, way: &Way<'_>, bounds: Bounds<'_>) -> Result<Tried, Fault> {
     let refused = Ok(Tried::Refused(None));
     let (a, h) = (way.a, way.h);
-    let last = a.y.len() - 1;
-    let (mut guess, mut side) = (way.guess.clone(), Side::Within);
+    let mut guess = way.guess.clone();
     let mut reached = None;
-    if let Some(bound) = bounds.passed(guess[last]) {
+    let mut beyond = bounds.passed(&a.y, &guess);
+    if let Some(bound) = beyond {
         guess = towards(&a.y, &guess, bound);
-        side = Side::AtBound;
     } else {
         let plane = Plane { through: &guess, normal: &a.tangent };
         let Some(found) = settle(zeros, &way.near, &guess, &plane)? else { return refused };
-        match bounds.passed(found.y[last]) {
-            Some(bound) => {
-                guess = towards(&a.y, &found.y, bound);
-                side = Side::AtBound;
-            }
+        beyond = bounds.passed(&a.y, &found.y);
+        match beyond {
+            Some(bound) => guess = towards(&a.y, &found.y, bound),
             None => reached = Some(found),
         }
     }
-    let found = match reached {
-        Some(found) => found,
-        None => {
-            let across: Vec<f64> = (0..=last).map(|i| if i == last { a.local.scales[last] } else { 0.0 }).collect();
-            let Some(found) = settle(zeros, &way.near, &guess, &Plane { through: &guess, normal: &across })? else { return refused };
+    let found = match (reached, beyond) {
+        (Some(found), _) => found,
+        (None, None) => return refused,
+        (None, Some(bound)) => {
+            let across: Vec<f64> = (0..a.y.len()).map(|i| if i == bound.unknown { a.local.scales[i] } else { 0.0 }).collect();
+            let Some(mut found) = settle(zeros, &way.near, &guess, &Plane { through: &guess, normal: &across })? else { return refused };
+            found.y[bound.unknown] = bound.value;
             found
         }
     };
-    let mut y = found.y;
-    if side == Side::AtBound {
-        y[last] = guess[last];
-    }
+    let side = if beyond.is_some() { Side::AtBound } else { Side::Within };
+    let y = found.y;
     let between = |u: &[f64], v: &[f64]| -> Vec<f64> { u.iter().zip(v).map(|(u, v)| u - v).collect() };
     let off = between(&y, &guess);
     if a.dot(&off, &off).sqrt() > BESIDE * h {
@@ -336,12 +341,12 @@ fn step(zeros: &mut dyn Zeros, way: &Way<'_>, bounds: Bounds<'_>) -> Result<Trie
     Ok(Tried::Done(Box::new(b), events, found.steps, side))
 }
 
-/// The point of a chord at a value of the parameter.
-fn towards(a: &[f64], b: &[f64], value: f64) -> Vec<f64> {
-    let last = a.len() - 1;
-    let share = (value - a[last]) / (b[last] - a[last]);
+/// The point of a chord at a bound.
+fn towards(a: &[f64], b: &[f64], bound: Bound) -> Vec<f64> {
+    let i = bound.unknown;
+    let share = (bound.value - a[i]) / (b[i] - a[i]);
     let mut y: Vec<f64> = a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect();
-    y[last] = value;
+    y[i] = bound.value;
     y
 }
 

@@ -18,8 +18,21 @@ pub struct Options<'a> {
     pub points: usize,
     /// Most branches.
     pub branches: usize,
+    /// The second parameter, over which folds and period doublings are followed.
+    pub second: Option<Second>,
     /// Set from outside to end early.
     pub interrupt: Option<&'a AtomicBool>,
+}
+
+/// A second parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Second {
+    /// Least value, SI.
+    pub from: f64,
+    /// Greatest value.
+    pub to: f64,
+    /// The value that the branches have, between both.
+    pub here: f64,
 }
 
 /// What was counted.
@@ -29,6 +42,26 @@ pub struct Work {
     pub turns: usize,
     /// Turns whose variations were followed.
     pub variations: usize,
+}
+
+/// A curve of folds or of period doublings.
+#[derive(Clone, Debug)]
+pub struct Crease {
+    /// Folds or period doublings.
+    pub what: What,
+    /// The special point of the diagram that it begins at.
+    pub from: usize,
+    /// What is followed, with its ends; the last unknown of its points is the second parameter, the one before it the first. Cusps are among its special points.
+    pub curve: Curve,
+}
+
+impl Crease {
+    /// Both parameters at a point of it, SI.
+    pub fn plane(place: &Place) -> [f64; 2] {
+        let y = place.unknowns();
+        let at = |back: usize| y.len().checked_sub(back).map_or(f64::NAN, |i| y[i]);
+        [at(2), at(1)]
+    }
 }
 
 /// Branches, and what happens on them.
@@ -46,6 +79,10 @@ pub struct Diagram {
     pub deeper: usize,
     /// Directions in which a branch parts but was not found.
     pub unmet: usize,
+    /// Curves of folds and period doublings in the plane of two parameters.
+    pub creases: Vec<Crease>,
+    /// Folds and period doublings from which no curve was found.
+    pub lone: Vec<usize>,
     /// Special points that branches have come to, with the direction from which they came.
     pub(super) joined: Vec<(usize, Vec<f64>)>,
     /// Work done.
@@ -59,7 +96,7 @@ const ALIKE: f64 = 1e-4;
 
 /// Follows a branch.
 pub(super) fn followed(zeros: &mut dyn Zeros, start: Place, options: &Options<'_>, diagram: &Diagram) -> Curve {
-    let bounds = Bounds { from: options.from, to: options.to, points: options.points, interrupt: options.interrupt };
+    let bounds = Bounds { ranges: &[[options.from, options.to]], points: options.points, interrupt: options.interrupt };
     walk(zeros, start, bounds, &|special| diagram.known(special).is_some())
 }
 

@@ -23,6 +23,10 @@ pub enum What {
     Torus,
     /// A switch is only touched: from there on it happens, or happens no more.
     Grazing,
+    /// Two curves of folds in the plane of two parameters meet in a point.
+    Cusp,
+    /// The second parameter is extreme on a curve of folds or period doublings.
+    Turn,
 }
 
 impl What {
@@ -35,6 +39,8 @@ impl What {
             What::Doubling => "period doubling",
             What::Torus => "torus",
             What::Grazing => "grazing",
+            What::Cusp => "cusp",
+            What::Turn => "turn",
         }
     }
 }

@@ -13,6 +13,7 @@
 
 mod branches;
 mod corrector;
+mod crease;
 mod curve;
 mod diagram;
 mod locate;
@@ -20,10 +21,11 @@ mod orbits;
 mod places;
 mod signs;
 mod switching;
+mod turning;
 mod zeros;
 
 pub use branches::{regimes, rests};
 pub use curve::{Curve, End, Of};
-pub use diagram::{Diagram, Options, Work};
+pub use diagram::{Crease, Diagram, Options, Second, Work};
 pub use locate::{Special, What};
 pub use zeros::{Facts, Family, Place};

@@ -60,9 +60,7 @@ impl<'o> Orbits<'_, 'o> {
 fn missed(turned: &Turned<'_>, y: &[f64], near: &Local) -> Vec<f64> {
     let all = turned.gap();
     let mut gap: Vec<f64> = near.states.iter().map(|&i| all[i] / near.scales[i]).collect();
-    if let Some((rates, x)) = &near.phase {
-        gap.push(rates.iter().zip(y.iter().zip(x)).zip(&near.scales).map(|((r, (y, x)), s)| r / s * ((y - x) / s)).sum());
-    }
+    gap.extend(near.phase_at(y));
     gap
 }
 
@@ -162,6 +160,14 @@ impl Zeros for Orbits<'_, '_> {
 
     fn switches(&mut self, y: &[f64]) -> Option<Vec<usize>> {
         self.turn(y).ok().map(|turned| turned.switches())
+    }
+
+    fn hold(&mut self, second: f64) {
+        self.family.hold(second);
+    }
+
+    fn repeat(&mut self, periods: usize) {
+        self.returns = periods.max(1);
     }
 
     fn sort(&self) -> Sort {

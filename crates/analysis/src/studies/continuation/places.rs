@@ -241,6 +241,10 @@ impl Zeros for Rests<'_> {
         None
     }
 
+    fn hold(&mut self, second: f64) {
+        self.family.hold(second);
+    }
+
     fn sort(&self) -> Sort {
         Sort::Roots
     }

@@ -10,6 +10,7 @@
 //! The first point of a new branch is sought in the plane y = y* + ε v + ..., across v, with derivatives taken at its guess: at the point itself they say nothing.
 
 use super::corrector::{self, Plane, correct};
+use super::crease;
 use super::curve::{Curve, Of};
 use super::diagram::{Diagram, Options, followed};
 use super::locate::{Special, What};
@@ -56,7 +57,7 @@ pub(super) fn of_orbits(orbits: &mut Orbits<'_, '_>, mut k: usize, options: &Opt
             k += 1;
             continue;
         };
-        orbits.returns = periods.max(1);
+        orbits.repeat(periods);
         match special.what {
             What::Branch => both_ways(orbits, (k, &special), Of::Orbits(periods), (options, diagram)),
             What::Doubling if 2 * periods.max(1) > DEEPEST => diagram.deeper += 1,
@@ -110,6 +111,7 @@ pub(super) fn from_rest(family: &mut dyn Family, count: usize, options: &Options
         let direction: Vec<f64> = v.iter().copied().chain([0.0, 0.0]).collect();
         part(&mut orbits, (k, &there), &[direction], Of::Orbits(0), (options, diagram));
         of_orbits(&mut orbits, first, options, diagram);
+        crease::follow(&mut orbits, first, (options, diagram));
         let [turns, variations] = orbits.turns();
         diagram.work.turns += turns;
         diagram.work.variations += variations;

@@ -9,6 +9,9 @@ pub trait Family {
     ///
     /// *Errors*: what the model says against the value.
     fn at(&mut self, value: f64) -> Result<(&mut Machine, Option<f64>), Fault>;
+
+    /// Gives the second parameter a value that holds from then on.
+    fn hold(&mut self, second: f64);
 }
 
 /// What a point of a branch is, for those who read it.
@@ -53,6 +56,12 @@ impl Local {
     pub(super) fn rows(&self) -> usize {
         self.basis.len().saturating_sub(1)
     }
+
+    /// By how much the phase of a free motion is off at y, in scales; none of other motions.
+    pub(super) fn phase_at(&self, y: &[f64]) -> Option<f64> {
+        let (rates, x) = self.phase.as_ref()?;
+        Some(rates.iter().zip(y.iter().zip(x)).zip(&self.scales).map(|((r, (y, x)), s)| r / s * ((y - x) / s)).sum())
+    }
 }
 
 /// Equations with one unknown more.
@@ -68,6 +77,14 @@ pub(super) trait Zeros {
 
     /// The guards that switch in the motion from y; none where there is no motion.
     fn switches(&mut self, y: &[f64]) -> Option<Vec<usize>>;
+
+    /// Gives the second parameter a value that holds from then on.
+    fn hold(&mut self, second: f64);
+
+    /// Follows motions that repeat after so many periods of the loads; 0 where the period is their own.
+    fn repeat(&mut self, periods: usize) {
+        let _ = periods;
+    }
 
     /// Which test functions mean something.
     fn sort(&self) -> Sort;
