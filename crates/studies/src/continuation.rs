@@ -14,12 +14,12 @@ use crate::Failure;
 use crate::equilibrium;
 use crate::machine::{self, Machine, explained as in_symbols};
 use crate::periodic::{self, no_parameter, value_of};
-use crate::results::Rows;
 use crate::results::finite::checked;
+use crate::results::{Fact, Rows};
 use crate::watch::{Lap, Watch};
-use analysis::studies::continuation::{Diagram, Family, Options, Second, regimes, rests};
+use analysis::studies::continuation::{Diagram, Family, Options, Second, backbone, regimes, rests};
 use analysis::studies::periodic::{Listener, Periodic, Return};
-use asked::{Beside, Branched, Followed};
+use asked::{BACKBONE, Beside, Branched, Followed};
 use family::Bound;
 use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Value, Way, Words};
 use words::explain::Explanation;
@@ -29,11 +29,11 @@ use words::{Notice, Text};
 pub struct Branches;
 
 static OF: Choice = Choice {
-    words: &[periodic::KIND.name, equilibrium::KIND.name],
+    words: &[periodic::KIND.name, equilibrium::KIND.name, BACKBONE],
     metavar: "WHAT",
     code: "M071",
     unknown: ("`{}` cannot be followed", "`{}` проследить нельзя"),
-    help: ("periodic or equilibrium", "periodic или equilibrium"),
+    help: ("periodic, equilibrium or backbone", "periodic, equilibrium или backbone"),
 };
 
 static KIND: Kind = Kind::new(
@@ -57,8 +57,8 @@ static KIND: Kind = Kind::new(
         "of",
         Takes::Word(&OF),
         (
-            "what is followed: periodic (motions) or equilibrium (places of rest)",
-            "что прослеживается: periodic (периодические движения) или equilibrium (положения равновесия)",
+            "what is followed: periodic (motions), equilibrium (places of rest) or backbone (free oscillations without losses from a natural mode on, over their frequency)",
+            "что прослеживается: periodic (периодические движения), equilibrium (положения равновесия) или backbone (свободные колебания без потерь, начиная с собственной формы, в зависимости от частоты)",
         ),
         "\"periodic\"",
     )
@@ -67,12 +67,34 @@ static KIND: Kind = Kind::new(
         "periodic, если в файле есть `period` или `section`, иначе equilibrium",
     )
     .option("What is followed", "Что прослеживается"),
+    Key::new(
+        "mode",
+        Takes::Count("M071", 1),
+        ("the natural mode at which a backbone curve begins, 1 the lowest", "собственная форма, с которой начинается скелетная кривая; 1 — низшая"),
+        "2",
+    )
+    .default("1", "1")
+    .option("The natural mode of a backbone curve [default: 1]", "Собственная форма скелетной кривой [по умолчанию: 1]"),
+    Key::new(
+        "frequencies",
+        Takes::FrequencyRange,
+        (
+            "frequencies of a backbone curve, from and to, that of small oscillations among them; Hz count periods",
+            "частоты скелетной кривой, от и до, включая частоту малых колебаний; Гц — число периодов",
+        ),
+        "[\"0.9 rad/s\", \"2 rad/s\"]",
+    )
+    .default("0.2 ... 5 times that of small oscillations", "0,2 ... 5 частот малых колебаний")
+    .option(
+        "Frequencies of a backbone curve, from and to: 0.9,2 (rad/s) or \"1 Hz,2 Hz\"",
+        "Частоты скелетной кривой, от и до: 0.9,2 (рад/с) или \"1 Гц;2 Гц\"",
+    ),
     SECTION,
     TURNS,
     PERIOD,
     SETTLE,
     Key::new("points", Takes::Count("M071", 2), ("most points of a branch", "наибольшее число точек ветви"), "500")
-        .default("2000", "2000")
+        .default("2000, 300 of a backbone curve", "2000, для скелетной кривой 300")
         .option("Most points of a branch", "Наибольшее число точек ветви"),
     Key::new(
         "branches",
@@ -83,7 +105,7 @@ static KIND: Kind = Kind::new(
         ),
         "4",
     )
-    .default("12", "12")
+    .default("12, 1 of a backbone curve", "12, для скелетной кривой 1")
     .option("Most branches", "Наибольшее число ветвей"),
     Key::new(
         "second",
@@ -105,7 +127,21 @@ static KIND: Kind = Kind::new(
 
 fn objections(asked: &Asked) -> Vec<Objection> {
     let mut found = Vec::new();
-    if !(asked.has("parameter") && asked.has("from") && asked.has("to")) {
+    let free = asked.word("of") == Some(BACKBONE);
+    if let Some(key) = ["mode", "frequencies"].into_iter().find(|key| !free && asked.has(key)) {
+        found.push(
+            Objection::at(key, "M071", format!("`{key}` belongs to a backbone curve"), format!("`{key}` относится к скелетной кривой"))
+                .help("write of = \"backbone\"", "напишите of = \"backbone\""),
+        );
+    }
+    if free && asked.has("second") {
+        found.push(
+            Objection::at("second", "M071", "a backbone curve has no second parameter", "у скелетной кривой нет второго параметра")
+                .why("its frequency follows from its energy", "её частота определяется энергией")
+                .help("leave `second` out", "уберите `second`"),
+        );
+    }
+    if !free && !(asked.has("parameter") && asked.has("from") && asked.has("to")) {
         found.push(
             Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе")
                 .why("branches are followed between two values of a parameter", "ветви прослеживаются между двумя значениями параметра")
@@ -137,11 +173,18 @@ impl Study for Branches {
         ("follow the regimes along a parameter", "проследить режимы вдоль параметра")
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
-        let study = Branched::of(machine, asked);
-        let heading = Text::new("Branches along a parameter", "Ветви вдоль параметра");
+        let mut study = Branched::of(machine, asked);
+        let heading = match study.of {
+            Followed::Free { .. } => Text::new("Backbone curve", "Скелетная кривая"),
+            _ => Text::new("Branches along a parameter", "Ветви вдоль параметра"),
+        };
         let mut results = Results { kind: KIND.name, heading, rows: Rows::Hidden, ..Results::default() };
         results.data = machine::no_numbers(machine);
-        match diagram(machine, &study, watch) {
+        let found = match study.of {
+            Followed::Free { mode, range } => free(machine, (&mut study, mode, range), &mut results, watch),
+            _ => diagram(machine, &study, watch),
+        };
+        match found {
             Ok(diagram) => tell::tell(machine, &study, &diagram, &mut results),
             Err(trouble) => results.fail(trouble),
         }
@@ -214,6 +257,31 @@ fn beside(machine: &Machine, second: &Beside) -> Result<Second, Notice> {
     Ok(Second { from, to, here })
 }
 
+/// The free oscillations of a mode; the study learns their range.
+fn free(
+    machine: &mut Machine,
+    (study, mode, range): (&mut Branched, usize, Option<[f64; 2]>),
+    results: &mut Results,
+    watch: &mut Watch,
+) -> Result<Diagram, Notice> {
+    let options = Options {
+        from: study.from,
+        to: study.to,
+        start: study.from,
+        points: study.points,
+        branches: study.branches,
+        second: None,
+        interrupt: watch.interrupt,
+    };
+    let found = machine.system.start().and_then(|start| backbone(&mut machine.system, &start, (mode, range), &options));
+    let found = found.map_err(|fault| in_symbols(fault, &machine.equations))?;
+    [study.from, study.to] = found.range;
+    results.own.insert("small".into(), serde_json::json!(found.small));
+    let label = Text::new(format!("mode {mode}: frequency of small oscillations"), format!("форма {mode}: частота малых колебаний"));
+    results.facts.push(Fact::new("small", "ω₀", "rad/s", found.small, label));
+    Ok(found.diagram)
+}
+
 /// Follows what is asked for.
 fn diagram(machine: &Machine, study: &Branched, watch: &mut Watch) -> Result<Diagram, Notice> {
     let here = value_of(machine, &study.name).ok_or_else(|| no_parameter(machine, &study.name))?;
@@ -247,7 +315,7 @@ fn diagram(machine: &Machine, study: &Branched, watch: &mut Watch) -> Result<Dia
             let options_of = Periodic { by, tolerance, listener, ..Periodic::default() };
             regimes(&mut family, &outcome.regime.start, &options_of, &options)
         }
-        Followed::Rest => {
+        Followed::Rest | Followed::Free { .. } => {
             let place = family.at(start).and_then(|(system, _)| system.start()).map_err(|fault| in_symbols(fault, &machine.equations))?;
             rests(&mut family, &place, &options)
         }

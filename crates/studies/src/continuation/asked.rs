@@ -8,6 +8,14 @@ use mechanics::asked::{Asked, Value};
 
 /// Most points of a branch without a wish.
 const POINTS: usize = 2000;
+/// The same of a backbone curve: amplitudes grow without bound where the frequency does not.
+const POINTS_FREE: usize = 300;
+/// The same of branches of a backbone curve: at high energies internal resonances part from one another without end.
+const BRANCHES_FREE: usize = 1;
+/// Name of the frequency of free oscillations, which is no parameter of the file.
+const FREQUENCY: &str = "omega_free";
+/// The word for free oscillations.
+pub(super) const BACKBONE: &str = "backbone";
 /// Most branches without a wish.
 const BRANCHES: usize = 12;
 
@@ -50,11 +58,21 @@ pub(super) enum Followed {
     Orbits(Box<Periodic>),
     /// Places of rest.
     Rest,
+    /// Free oscillations from a mode, in a range of frequencies, rad/s.
+    Free {
+        /// Number of the mode, from 1.
+        mode: usize,
+        /// The range, where it is given.
+        range: Option<[f64; 2]>,
+    },
 }
 
 impl Branched {
     /// Of the study itself; what a period is may stand in a study `periodic` or `stability` of the file instead.
     pub(super) fn of(machine: &Machine, asked: &Asked) -> Branched {
+        if asked.word("of") == Some(BACKBONE) {
+            return Branched::free(asked);
+        }
         let says = |asked: &&Asked| asked.has("period") || asked.has("section");
         let listed = || machine.model.studies.iter().filter(says);
         let other = listed().find(|a| a.kind == periodic::KIND.name).or_else(|| listed().find(|a| a.kind == stability::KIND.name));
@@ -73,6 +91,23 @@ impl Branched {
     }
 }
 
+impl Branched {
+    /// A backbone curve; the ends of its range are known when its mode is.
+    fn free(asked: &Asked) -> Branched {
+        let range = asked.numbers("frequencies").and_then(|ends| Some([*ends.first()?, *ends.last()?]));
+        Branched {
+            name: FREQUENCY.into(),
+            from: 0.0,
+            to: 0.0,
+            points: asked.count("points").unwrap_or(POINTS_FREE),
+            branches: asked.count("branches").unwrap_or(BRANCHES_FREE),
+            second: None,
+            of: Followed::Free { mode: asked.count("mode").unwrap_or(1), range },
+            place: 0..0,
+        }
+    }
+}
+
 /// The stretch of the key `second` with the value that the machine has.
 fn second(machine: &Machine, asked: &Asked) -> Option<Beside> {
     let Some(Value::Ranges(ranges)) = asked.get("second") else { return None };
@@ -85,12 +120,22 @@ fn second(machine: &Machine, asked: &Asked) -> Option<Beside> {
 
 /// Printed symbol of a parameter.
 pub(super) fn symbol(machine: &Machine, name: &str) -> String {
-    machine.model.notation.iter().find(|(n, _)| n == name).map_or(name.to_owned(), |(_, s)| s.clone())
+    machine
+        .model
+        .notation
+        .iter()
+        .find(|(n, _)| n == name)
+        .map_or_else(|| if name == FREQUENCY { "ω".into() } else { name.to_owned() }, |(_, s)| s.clone())
 }
 
 /// Its unit.
 pub(super) fn unit(machine: &Machine, name: &str) -> String {
-    machine.model.parameters.iter().find(|p| p.name == name).map_or("1".into(), |p| p.unit.clone())
+    machine
+        .model
+        .parameters
+        .iter()
+        .find(|p| p.name == name)
+        .map_or_else(|| if name == FREQUENCY { "rad/s".into() } else { "1".into() }, |p| p.unit.clone())
 }
 
 /// Coordinates with their units and symbols.

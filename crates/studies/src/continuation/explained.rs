@@ -81,4 +81,24 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
              должен это значение содержать.",
         ),
     ),
+    plain(
+        "S158",
+        ("no backbone curve without a kept energy", "скелетная кривая требует сохранения энергии"),
+        (
+            "A backbone curve is the family of free oscillations of a machine without losses: to each energy its motion. Damping, drives, dry friction and follower forces take that family away. Set them to zero for the study, \
+             `--set b=0 --set F=0`; what the damped and driven machine does is told by `of = \"periodic\"`.",
+            "Скелетная кривая — семейство свободных колебаний машины без потерь: каждой энергии отвечает своё движение. При сопротивлениях, приводах, сухом трении и следящих силах такого семейства нет. Задайте их для этого расчёта нулевыми, \
+             `--set b=0 --set F=0`; поведение машины с сопротивлением и нагрузкой описывает `of = \"periodic\"`.",
+        ),
+    ),
+    plain(
+        "S159",
+        ("a backbone curve has no beginning", "скелетной кривой не с чего начаться"),
+        (
+            "A backbone curve begins with small oscillations of a natural mode about the place of rest near the start of the file, at their frequency, which has to lie in the range. Where two modes have one frequency, or one is a \
+             multiple of the other, small oscillations mix them and none begins alone.",
+            "Скелетная кривая начинается с малых колебаний по собственной форме около положения равновесия, ближайшего к начальному положению из файла; их частота должна лежать в заданном промежутке. Если две частоты совпадают или \
+             кратны друг другу, малые колебания смешивают такие формы и отдельной формы нет.",
+        ),
+    ),
 ];

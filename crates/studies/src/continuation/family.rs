@@ -104,7 +104,7 @@ impl Family for Bound<'_> {
             (Period::Is(period), _) => *period,
             (Period::Formula(formula), _) => Some(self.machine.model.number_of(*formula)),
             (Period::Read, Followed::Orbits(regime)) => self.reread(regime).and_then(|after| after.period),
-            (Period::Read, Followed::Rest) => None,
+            (Period::Read, Followed::Rest | Followed::Free { .. }) => None,
         };
         Ok((&mut self.machine.system, period))
     }

@@ -70,6 +70,9 @@ pub(super) fn state(machine: &Machine, place: &Place) -> Map<String, Value> {
     if facts.period > 0.0 {
         fields.insert("period".into(), json!(facts.period));
     }
+    if let Some(energy) = facts.energy {
+        fields.insert("energy".into(), json!(energy));
+    }
     let extremes = coordinates(machine).iter().zip(&facts.extremes).map(|(q, e)| (q.name.clone(), json!(e))).collect::<Map<_, _>>();
     fields.insert("range".into(), extremes.into());
     let start = machine.system.states().iter().zip(place.unknowns()).map(|(q, x)| (q.name.clone(), json!(x))).collect::<Map<_, _>>();

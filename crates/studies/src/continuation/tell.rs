@@ -10,7 +10,7 @@ use crate::periodic::{self, json_of};
 use crate::provenance;
 use crate::results::{Body, Fact, Results};
 use analysis::dataset::{Audit, Column};
-use analysis::studies::continuation::{Crease, Curve, Diagram, Facts, Of, Place, Special};
+use analysis::studies::continuation::{Crease, Curve, Diagram, Facts, ON_BRANCH, Of, Place, Special};
 use analysis::{Dataset, Quantity};
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -147,6 +147,10 @@ fn dataset(machine: &Machine, study: &Branched, diagram: &Diagram) -> Dataset {
     if diagram.curves.iter().any(|c| c.of != Of::Rest) {
         columns.push(column("period", ("T", "s"), Text::new("period", "период"), &|row| row.place.facts().period));
     }
+    if diagram.curves.iter().flat_map(|curve| &curve.places).any(|place| place.facts().energy.is_some()) {
+        let label = Text::new("energy above that at rest", "энергия сверх энергии покоя");
+        columns.push(column("energy", ("E", "J"), label, &|row| row.place.facts().energy.unwrap_or(f64::NAN)));
+    }
     for (i, q) in coordinates(machine).iter().enumerate() {
         for (end, word, en, ru) in [(1, "max", "greatest value", "наибольшее значение"), (0, "min", "least value", "наименьшее значение")]
         {
@@ -158,8 +162,6 @@ fn dataset(machine: &Machine, study: &Branched, diagram: &Diagram) -> Dataset {
     Dataset { columns, audits: audits(diagram), ..Dataset::default() }
 }
 
-/// Points lie on their branch to this share of what varies: corrections end below 1e-9, mostly by three digits.
-const ON_BRANCH: f64 = 1e-9;
 /// Determinant and divergence are integrated apart from one another to nine digits.
 const LIOUVILLE: f64 = 1e-8;
 

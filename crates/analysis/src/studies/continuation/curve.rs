@@ -322,7 +322,7 @@ fn step(zeros: &mut dyn Zeros, way: &Way<'_>, bounds: Bounds<'_>) -> Result<Trie
     if a.dot(&off, &off).sqrt() > BESIDE * h {
         return refused;
     }
-    let Some(b) = corrector::place(zeros, y, &a.tangent)? else { return refused };
+    let Some(b) = corrector::place(zeros, y, &a.tangent)?.filter(Place::lies) else { return refused };
     let chord = between(&b.y, &a.y);
     let straight = a.dot(&a.tangent, &b.tangent) / a.dot(&b.tangent, &b.tangent).sqrt();
     // a step of no length has no direction: the branch begins at the bound
@@ -356,7 +356,8 @@ fn turns_twice(a: &Place, b: &Place) -> bool {
     let way: Vec<f64> = b.y.iter().zip(&a.y).map(|(b, a)| b - a).collect();
     let length = a.dot(&way, &way).sqrt();
     let (d0, d1, chord) = (a.tangent[last] * length, b.tangent[last] * length, way[last]);
-    if d0 * d1 <= 0.0 {
+    let level = [d0, d1, chord].iter().all(|d| d.abs() <= locate::LEVEL * length * a.local.scales[last]);
+    if d0 * d1 <= 0.0 || level {
         return false;
     }
     // p'(s) = d0 (1 - s)(1 - 3 s) + d1 s (3 s - 2) + 6 s (1 - s) chord: its middle, where it is least or greatest

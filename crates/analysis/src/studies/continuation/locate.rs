@@ -85,6 +85,9 @@ const OF_COUNT: f64 = 1e-10;
 /// Share of the way around a branch point that is left out: its corrections are too uncertain.
 const AROUND: [f64; 2] = [0.04, 0.005];
 
+/// Slope of the parameter along a branch, in scales, that is rounding: the frequency of a linear machine is one for all amplitudes.
+pub(super) const LEVEL: f64 = 1e-9;
+
 fn changes(a: f64, b: f64) -> bool {
     a * b < 0.0
 }
@@ -98,7 +101,7 @@ pub(super) fn flagged(a: &Place, b: &Place) -> Vec<Test> {
     if branch {
         list.push(Test::Branch);
     }
-    if changes(s.fold, t.fold) && !branch {
+    if changes(s.fold, t.fold) && (s.fold - t.fold).abs() > LEVEL && !branch {
         list.push(Test::Fold);
     }
     let both = |x: Option<f64>, y: Option<f64>| x.zip(y).is_some_and(|(x, y)| changes(x, y));

@@ -11,6 +11,7 @@
 //! *Source*: H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977); E. J. Doedel, H. B. Keller, J. P. Kernévez,
 //! Int. J. Bifurcation and Chaos 1 (1991) 493-520, 745-772; R. Seydel, Practical Bifurcation and Stability Analysis, 4-5, 7.
 
+mod backbone;
 mod branches;
 mod corrector;
 mod crease;
@@ -24,8 +25,9 @@ mod switching;
 mod turning;
 mod zeros;
 
+pub use backbone::{Backbone, backbone};
 pub use branches::{regimes, rests};
 pub use curve::{Curve, End, Of};
 pub use diagram::{Crease, Diagram, Options, Second, Work};
 pub use locate::{Special, What};
-pub use zeros::{Facts, Family, Place};
+pub use zeros::{Facts, Family, ON_BRANCH, Place};

@@ -65,7 +65,7 @@ fn missed(turned: &Turned<'_>, y: &[f64], near: &Local) -> Vec<f64> {
 }
 
 /// Free directions of the start, then the period of a free motion and the parameter, as changes of all unknowns in scales.
-fn directions(varied: &Varied, scales: &[f64], unknowns: usize) -> Vec<Vec<f64>> {
+pub(super) fn directions(varied: &Varied, scales: &[f64], unknowns: usize) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for (column, &j) in varied.basis.iter().zip(&varied.states) {
         let mut whole: Vec<f64> = column.iter().zip(scales).map(|(c, s)| c * scales[j] / s).collect();
@@ -128,6 +128,7 @@ impl Zeros for Orbits<'_, '_> {
                 Verdict::Limit => None,
             }),
             multipliers,
+            energy: None,
             switches: turned.switches(),
             miss: 0.0,
             liouville: varied.liouville,

@@ -158,6 +158,11 @@ fn part(
     diagram.take(kept);
 }
 
+/// The first point of a branch beside a special point in a direction (SI, of unit length in scales), at whichever distance there is one.
+pub(super) fn first_of(zeros: &mut dyn Zeros, special: &Special, v: &[f64]) -> Option<Place> {
+    AWAY.into_iter().find_map(|away| first(zeros, special, v, away).ok().flatten())
+}
+
 /// The first point of a branch in a direction; none where corrections lead elsewhere, or back to the branch that is known.
 fn first(zeros: &mut dyn Zeros, special: &Special, v: &[f64], away: f64) -> Result<Option<Place>, Fault> {
     let origin = &special.place;
@@ -180,7 +185,7 @@ fn first(zeros: &mut dyn Zeros, special: &Special, v: &[f64], away: f64) -> Resu
 }
 
 /// A solution of A v = r of unit length: of an all but singular A the direction that it takes away.
-fn null(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
+pub(super) fn null(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
     // a right side that no symmetry of a machine knows
     let right: Vec<f64> = (0..n).map(|i| 1.0 + 0.37 * i as f64).collect();
     let once = match Lu::exact(matrix, n) {

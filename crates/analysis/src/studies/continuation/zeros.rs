@@ -25,6 +25,8 @@ pub struct Facts {
     pub multipliers: Option<Vec<Multiplier>>,
     /// Whether small disturbances die out; none where that is not decided.
     pub stable: Option<bool>,
+    /// Energy above that of the place of rest, J, of free oscillations without losses.
+    pub energy: Option<f64>,
     /// The guards that switch in a period.
     pub switches: Vec<usize>,
     /// Newton's next correction of the point, in scales.
@@ -119,6 +121,9 @@ pub(super) struct Signs {
     pub(super) outside: Option<usize>,
 }
 
+/// Points lie on their branch to this share of what varies: corrections end below it, mostly by three digits.
+pub const ON_BRANCH: f64 = 1e-9;
+
 /// A point of a branch.
 #[derive(Clone, Debug, Default)]
 pub struct Place {
@@ -139,6 +144,11 @@ impl Place {
     /// All unknowns: states at the start, the period of a free motion, the parameter; SI.
     pub fn unknowns(&self) -> &[f64] {
         &self.y
+    }
+
+    /// Whether Newton's own correction leaves it where it is, to this share of what varies.
+    pub(super) fn lies(&self) -> bool {
+        self.local.facts.miss <= ON_BRANCH
     }
 
     /// What it is.
