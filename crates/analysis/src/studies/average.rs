@@ -18,6 +18,8 @@ use std::f64::consts::TAU;
 const INSTANTS: [usize; 4] = [17, 33, 65, 129];
 /// By how much of the largest moment they may differ.
 const AGREE: f64 = 1e-10;
+/// Share of the greatest moment of a turn below which a difference of means is rounding: some thousand of them.
+const ROUNDING: f64 = 1e-13;
 /// Newton's steps.
 const STEPS: usize = 40;
 /// Share of the largest value of the rest below which a step is rounding of the matrices of derivatives.
@@ -70,6 +72,8 @@ pub struct Turn {
     pub vibration: f64,
     /// How far the angle departs from uniform turning at most, rad: the sum of its harmonics.
     pub ripple: f64,
+    /// The greatest moment of the turn that the mean leaves out, N m.
+    greatest: f64,
     /// q at equally spaced instants of the turn.
     values: Vec<f64>,
 }
@@ -100,7 +104,8 @@ pub fn turn<T: Turning + ?Sized>(machine: &T, speed: f64, before: Option<&Turn>)
     for instants in &INSTANTS[1..] {
         let next = Grid::new(*instants, machine.others()).turn(machine, speed, Some(&last.values))?;
         let size = [next.own, next.vibration, last.own, last.vibration].into_iter().fold(0.0_f64, |l, v| l.max(v.abs()));
-        if (next.balance() - last.balance()).abs() <= AGREE * size && (next.own - last.own).abs() <= AGREE * size {
+        let allowed = AGREE * size + ROUNDING * next.greatest;
+        if (next.balance() - last.balance()).abs() <= allowed && (next.own - last.own).abs() <= allowed {
             return Some(next);
         }
         last = next;
@@ -279,7 +284,8 @@ impl Grid {
         let balance = -instants.iter().map(|instant| instant.residuals[m]).sum::<f64>() / n;
         let own = -held.iter().map(|instant| instant.residuals[m]).sum::<f64>() / n;
         let ripple = ripple(&instants.iter().map(|instant| -instant.residuals[m] / instant.inertia).collect::<Vec<_>>(), speed);
-        let turn = Turn { speed, own, vibration: own - balance, ripple, values };
+        let greatest = instants.iter().fold(0.0_f64, |l, instant| l.max(instant.residuals[m].abs()));
+        let turn = Turn { speed, own, vibration: own - balance, ripple, greatest, values };
         [turn.own, turn.vibration, turn.ripple].iter().all(|v| v.is_finite()).then_some(turn)
     }
 }
@@ -361,6 +367,27 @@ mod tests {
             // AGREE of the moments, and what the bracket leaves
             assert!(off.abs() < 1e-9, "{off:e} at {}", s.turn.speed);
         }
+    }
+
+    /// Without damping nothing is taken: the idle speed itself, where both moments are 0, is a speed of steady turning.
+    #[test]
+    fn moments_that_vanish_balance_too() {
+        struct Undamped;
+        impl Turning for Undamped {
+            fn others(&self) -> usize {
+                1
+            }
+            fn at(&self, p: &Place<'_>) -> Instant {
+                let mut instant = Motor { idle: 18.0, cubic: 0.0 }.at(p);
+                instant.residuals[0] -= B * p.rates[0];
+                instant.slopes[1] = 0.0;
+                instant
+            }
+        }
+        let speeds: Vec<f64> = (0..41).map(|k| 17.0 + 0.05 * f64::from(k)).collect();
+        let found = steady(&Undamped, &turns(&Undamped, &speeds));
+        // the moment of the bracket over the slope k
+        assert!(found.len() == 1 && found[0].stable && (found[0].turn.speed - 18.0).abs() < 1e-9, "{found:?}");
     }
 
     /// A hardening spring: what the vibration takes is still what the damper takes, <b x'²>/Ω, whatever the spring is.

@@ -49,6 +49,7 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
     results.own.insert("speeds".into(), list.iter().map(json_of).collect());
     let (en, ru) = ("The moments balance at no speed of this range.", "В этом промежутке скоростей баланса моментов нет.");
     results.words.push(if list.is_empty() { Text::new(en, ru) } else { balance_words() });
+    results.words.extend(gaps(found.iter().filter(|turn| turn.is_none()).count()));
     if let Some(until) = asked.number("runs") {
         let own = Motions::new(machine, &angle.name, until)?.speed(&[], watch)?;
         let label = Text::new("mean speed of the motion itself at its end", "средняя скорость самого движения в его конце");
@@ -71,6 +72,21 @@ pub(super) fn balance_words() -> Text {
         "Averaged over a turn: N is what turns the angle by itself, V the vibrational moment, which the answer of the rest takes; the speeds are those at which N = V, stable where N − V falls. The theory errs by the order of the ripple ε.",
         "Осреднено за оборот: N — собственный момент на этом угле, V — вибрационный момент, который отнимают колебания остальной машины; скорости — те, при которых N = V, устойчивые там, где N − V убывает. Погрешность теории — порядка ε, неравномерности вращения.",
     )
+}
+
+/// Speeds without a turn.
+pub(super) fn gaps(count: usize) -> Option<Text> {
+    let words = || {
+        Text::new(
+            format!(
+                "At {count} of the speeds looked at the rest has no motion that repeats after a turn (an undamped resonance, or one that is not smooth): a balance beside them is not seen."
+            ),
+            format!(
+                "При некоторых из рассмотренных скоростей ({count}) остальная машина не имеет движения, повторяющегося через оборот (резонанс без сопротивления или негладкое движение): баланс рядом с ними не виден."
+            ),
+        )
+    };
+    (count > 0).then(words)
 }
 
 /// S156 for a range without any motion that repeats.

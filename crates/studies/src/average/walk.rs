@@ -2,7 +2,7 @@
 
 use super::formulas::Formulas;
 use super::motions::Motions;
-use super::tell::{asked_for, balance_words, json_of, nothing_repeats};
+use super::tell::{asked_for, balance_words, gaps, json_of, nothing_repeats};
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
@@ -52,6 +52,8 @@ struct Walk<'a> {
     angle: Named,
     instant: f64,
     speeds: Vec<f64>,
+    /// Speeds without a turn, at all values.
+    gaps: usize,
 }
 
 impl Walk<'_> {
@@ -70,6 +72,7 @@ impl Walk<'_> {
         if found.iter().all(Option::is_none) {
             return Err(nothing_repeats());
         }
+        self.gaps += found.iter().filter(|turn| turn.is_none()).count();
         Ok(steady(&self.formulas, &found))
     }
 
@@ -111,7 +114,7 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
     let formulas = Formulas::of(machine, &angle, instant)?;
     let count = speeds.len();
-    let mut walk = Walk { machine: machine.clone(), formulas, name, angle, instant, speeds };
+    let mut walk = Walk { machine: machine.clone(), formulas, name, angle, instant, speeds, gaps: 0 };
     let (mut found, mut folds): (Vec<(f64, Vec<Steady>)>, Vec<Fold>) = (Vec::new(), Vec::new());
     for k in 0..count {
         if watch.is_interrupted() {
@@ -138,7 +141,9 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let mut drawn = vec!["stable", "unstable"];
     drawn.extend((!motions.is_empty()).then_some("motion"));
     results.plots = vec![Plot { title: Text::default(), x: Some(name.to_owned()), y: drawn.into_iter().map(str::to_owned).collect() }];
+    let lacking = gaps(walk.gaps);
     tell(machine, name, &Course { speeds: found, folds, motions }, results);
+    results.words.extend(lacking);
     Ok(())
 }
 
