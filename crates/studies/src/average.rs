@@ -162,7 +162,7 @@ impl Study for SlowBalance {
 }
 
 fn nothing_turns() -> Failure {
-    Notice::new("S157", "which angle turns fast?", "какой угол вращается быстро?")
+    Notice::new("S162", "which angle turns fast?", "какой угол вращается быстро?")
         .why("the file has no study `average`, and no --angle was given", "в файле нет расчёта `average`, а ключ --angle не задан")
         .help(
             "add --angle phi --slowest \"10 rad/s\" --fastest \"60 rad/s\"",
@@ -173,7 +173,7 @@ fn nothing_turns() -> Failure {
 
 const EXPLANATIONS: &[Explanation] = &[
     plain(
-        "S156",
+        "S161",
         ("no averaging over this angle", "осреднения по этому углу нет"),
         (
             "The study `average` lets an angle turn uniformly and looks for the motion of the rest that repeats after a turn. That needs a machine without connections, contacts and dry friction, \
@@ -183,7 +183,7 @@ const EXPLANATIONS: &[Explanation] = &[
         ),
     ),
     plain(
-        "S157",
+        "S162",
         ("no angle to average over", "не задан угол осреднения"),
         (
             "The study `average` needs the angle that turns fast and the speeds between which a balance of moments is looked for: keys `angle`, `slowest`, `fastest`.",

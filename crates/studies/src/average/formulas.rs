@@ -34,7 +34,7 @@ pub(super) struct Formulas {
 }
 
 impl Formulas {
-    /// *Errors*: S156.
+    /// *Errors*: S161.
     pub(super) fn of(machine: &Machine, angle: &Named, instant: f64) -> Result<Formulas, Notice> {
         let equations = &machine.equations;
         let Some(own) = equations.coordinates.iter().position(|c| c.symbols[0] == angle.symbol) else {
@@ -154,9 +154,9 @@ impl Turning for Formulas {
     }
 }
 
-/// S156.
+/// S161.
 pub(super) fn refused(why: (&str, &str)) -> Notice {
-    Notice::new("S156", "the machine cannot be averaged over this angle", "осреднить машину по этому углу нельзя")
+    Notice::new("S161", "the machine cannot be averaged over this angle", "осреднить машину по этому углу нельзя")
         .because(Text::new(why.0, why.1))
         .help(
             "name an angle that turns freely, of a machine without connections: --angle phi",

@@ -89,7 +89,7 @@ pub(super) fn gaps(count: usize) -> Option<Text> {
     (count > 0).then(words)
 }
 
-/// S156 for a range without any motion that repeats.
+/// S161 for a range without any motion that repeats.
 pub(super) fn nothing_repeats() -> Notice {
     refused((
         "at none of the speeds the rest has a motion that repeats after a turn",
