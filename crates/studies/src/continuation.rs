@@ -141,7 +141,8 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 .help("leave `second` out", "уберите `second`"),
         );
     }
-    if !free && !(asked.has("parameter") && asked.has("from") && asked.has("to")) {
+    let ranged = asked.has("parameter") && asked.has("from") && asked.has("to");
+    if !free && !ranged {
         found.push(
             Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе")
                 .why("branches are followed between two values of a parameter", "ветви прослеживаются между двумя значениями параметра")

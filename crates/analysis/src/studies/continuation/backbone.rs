@@ -103,10 +103,9 @@ fn lambda(place: &Place) -> f64 {
 /// The place of rest as a point of the curve, with the frequency of small oscillations.
 fn origin(x: &[f64], scales: &[f64], (small, range): (f64, f64)) -> Special {
     let n = x.len();
-    let mut place = Place::default();
-    place.y = x.iter().copied().chain([0.0, small]).collect();
-    place.tangent = vec![0.0; n + 2];
-    place.local.scales = scales.iter().copied().chain([1.0, range]).collect();
+    let local = Local { scales: scales.iter().copied().chain([1.0, range]).collect(), ..Local::default() };
+    let y = x.iter().copied().chain([0.0, small]).collect();
+    let place = Place { y, tangent: vec![0.0; n + 2], local, ..Place::default() };
     Special { what: What::Hopf, place, within: 0.0 }
 }
 
