@@ -3,8 +3,9 @@
 //! `cargo bench -p strutt --bench machines` prints medians and what was counted in one run; `-- crank 1` takes the cases whose names hold `crank`, one run each (to
 //! count instructions by valgrind, for one). Targets: crank-hoist, one cycle with all reactions and outputs, 2 ms; belt oscillator, 100 s, 5 ms;
 //! ten blocks that stick and slip in one model at most ten times one; wheels that rattle in their play, 1e5 impacts in 2 s; a sweep of short motions at most
-//! 1.15 times the motions; a drive and a flywheel found for crank-hoist in 50 ms.
+//! 1.15 times the motions; a sweep over 30 s of the pendulum on a shaft (card P3), whose goal is the 1.3 ms of a compiled batch integrator; a drive and a flywheel found for crank-hoist in 50 ms.
 
+use analysis::integrate::taylor::{Flow, Options, Work};
 use mechanics::asked::{Asked, Value};
 use std::path::Path;
 use std::time::Instant;
@@ -54,6 +55,15 @@ fn main() {
         let (motions, sweep) = swept(1000.min(10 * wish.runs));
         println!("sweep of motions: {:.3} ms each, motions alone {:.3} ms, ratio {:.2}", 1e3 * sweep, 1e3 * motions, sweep / motions);
     }
+    if wish.holds("shaft") {
+        let (alone, sweep, work) = captured(1000.min(10 * wish.runs));
+        println!(
+            "sweep over 30 s of the pendulum on a shaft: {:.2} ms each, motions alone {:.2} ms, ratio {:.2}  {work}",
+            1e3 * sweep,
+            1e3 * alone,
+            sweep / alone
+        );
+    }
     if wish.holds("flywheel") {
         println!("drive and flywheel of crank-hoist: {:.1} ms", 1e3 * flywheel(wish.runs.min(21)));
     }
@@ -89,6 +99,39 @@ fn swept(count: usize) -> (f64, f64) {
         }
     }
     (alone, sweep)
+}
+
+/// Seconds for a motion of 30 s of the pendulum on a shaft at 1e-9 (card P3): the integrator alone, and a row of a sweep over the pendulum's mass with its checks; the work of
+/// the integrator in one.
+fn captured(count: usize) -> (f64, f64, String) {
+    let tolerance = 1e-9;
+    let text = strutt::gallery::find("pendulum-on-shaft").map(|e| e.text).unwrap_or_default();
+    let asked =
+        format!("\n[[study]]\nkind = \"sweep\"\nover = [\"m = linspace(2 g, 60 g, {count})\"]\nobserve = [\"mean(phi', 20 s, 30 s)\"]\n");
+    let mut machine = written(&(text.replace("until = \"30 s\"", "until = \"30 s\"\ntolerance = 1e-9") + &asked));
+    let mut own = machine.clone();
+    let (mut alone, mut total) = (0.0, Work::default());
+    for k in 0..count {
+        let mass = 2e-3 + 58e-3 * k as f64 / (count - 1).max(1) as f64;
+        assert!(own.bind(&[("m", mass)]).is_ok());
+        let clock = Instant::now();
+        let options = Options { tolerance, span: 30.0, ..Options::default() };
+        let Ok(start) = own.system.start() else { panic!("no start") };
+        let Ok(mut flow) = Flow::start(&mut own.system, 0.0, &start, &options) else { panic!("no motion") };
+        while !flow.reached(30.0) {
+            assert!(flow.advance(30.0).is_ok());
+        }
+        alone += clock.elapsed().as_secs_f64() / count as f64;
+        let work = flow.work();
+        (total.steps, total.expansions, total.orders) =
+            (total.steps + work.steps, total.expansions + work.expansions, total.orders + work.orders);
+    }
+    let Some(sweep) = machine.model.studies.iter().find(|asked| asked.kind == "sweep").cloned() else { panic!("no sweep") };
+    let clock = Instant::now();
+    std::hint::black_box(pipeline::study(&mut machine, &sweep, &mut Watch::default()));
+    let each = |n: u64| n as f64 / count as f64;
+    let work = format!("{:.0} steps, {:.0} expansions of order {:.1}", each(total.steps), each(total.expansions), total.mean_order());
+    (alone, clock.elapsed().as_secs_f64() / count as f64, work)
 }
 
 /// Median seconds of the search for the drive and the flywheel of crank-hoist.
