@@ -713,6 +713,11 @@ impl System for Machine {
     }
 
     fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
+        if self.conditions.is_none() {
+            return Ok(Blow::default());
+        }
+        // a surface with a kink at this instant has the rate of the side on which it is met
+        let t = if self.bound.program().steps { self.side_of(t, x, modes) } else { t };
         let Some(conditions) = &mut self.conditions else { return Ok(Blow::default()) };
         let n = self.bound.program().coordinates;
         let rates = x[n..2 * n].to_vec();

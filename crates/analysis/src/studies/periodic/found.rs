@@ -24,6 +24,8 @@ const RESONANT: f64 = 1e-12;
 const IN_ROWS: f64 = 1e-9;
 /// The same as a share of its columns, each of which is one difference.
 const IN_COLUMNS: f64 = 1e-7;
+/// Least share of the largest scale of its unit by which a state is moved to see what connections do.
+const APART: f64 = 1e-3;
 /// Shares of the period by which a turn may be followed further to end behind a switch.
 const BEHIND: [f64; 4] = [0.0, 1e-14, 1e-13, 1e-12];
 /// Units of the last place of its terms to which a force is known.
@@ -69,6 +71,7 @@ pub(super) fn tangent<S: System + ?Sized>(
     symmetry: &Symmetry,
 ) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
     let n = x.len();
+    let scales = &beside_others(system, scales)[..];
     let rows = slopes::derivative(x, scales, |place| {
         let mut place = place.to_vec();
         system.project(0.0, &mut place, modes)?;
@@ -100,6 +103,14 @@ pub(super) fn tangent<S: System + ?Sized>(
         basis.push(column);
     }
     Ok((free, basis))
+}
+
+/// Scales that are not far below those of the same unit: a coordinate that rests at zero is moved by connections together with others that do not, and a
+/// difference over its own rounding would be within what a projection leaves alone.
+pub(super) fn beside_others<S: System + ?Sized>(system: &S, scales: &[f64]) -> Vec<f64> {
+    let unit = |i: usize| system.states()[i].unit.as_str();
+    let largest = |i: usize| (0..scales.len()).filter(|&j| unit(j) == unit(i)).map(|j| scales[j]).fold(0.0, f64::max);
+    (0..scales.len()).map(|i| scales[i].max(APART * largest(i))).collect()
 }
 
 impl Found<'_> {

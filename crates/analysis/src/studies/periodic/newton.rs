@@ -1,7 +1,7 @@
 //! The search: a trial run that shows scales, translations and the section; then turns, corrected by Newton's method.
 
 use super::faults::{driven, interrupted, no_return, unsettled};
-use super::found::{Found, Stride, tangent};
+use super::found::{Found, Stride, beside_others, tangent};
 use super::fundamental;
 use super::listener::Stage;
 use super::options::{Periodic, Return};
@@ -436,11 +436,18 @@ fn prepare<'s, 'o, S: System + ?Sized>(
 /// What is known of the motion before it is aimed at a section, and the state of the section where the file names it.
 fn begin<'s, 'o, S: System + ?Sized>(
     system: &mut S,
-    (trial, floor): (&Orbit, Vec<f64>),
+    (trial, mut floor): (&Orbit, Vec<f64>),
     options: &'s Periodic<'o>,
     flow: Options,
 ) -> Result<(Search<'s, 'o>, Option<usize>), Fault> {
-    let first_scales = scales(system, trial, None, &floor);
+    let mut first_scales = scales(system, trial, None, &floor);
+    if system.margin(0.0, &trial.first).is_some() {
+        // a coordinate that rests at zero has the rounding of those that connections move with it
+        floor.resize(first_scales.len(), 0.0);
+        let raised = beside_others(system, &first_scales);
+        (0..raised.len()).filter(|&i| raised[i] > first_scales[i]).for_each(|i| floor[i] = floor[i].max(raised[i]));
+        first_scales = raised;
+    }
     let named = match &options.by {
         Return::State(name) => Some(state_named(system, name)?),
         _ => None,
