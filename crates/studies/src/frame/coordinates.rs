@@ -75,7 +75,8 @@ pub(super) fn coordinates(model: &Model, structure: &file::Structure, bound: &mu
         return Ok(None);
     }
     let options = options(structure);
-    let [loads, acting] = [true, false].map(|changing| units(model, structure, bound, changing));
+    let loads = units(model, structure, bound, |load| moves(model, load));
+    let acting = units(model, structure, bound, |_| true);
     let wish = Wish { condensation: options.condensation, count: options.count, loads, acting };
     if light || options.accuracy.is_none() {
         return Ok(Some(substructure(&bound.frame, &assembly, &wish)?));
@@ -92,9 +93,9 @@ pub(super) fn coordinates(model: &Model, structure: &file::Structure, bound: &mu
     Ok(Some(substructure(&bound.frame, &refined.assembly, &wish)?))
 }
 
-/// Unit loads in the places of the components of loads, or of those that change with time, in the order of [`super::figures::Figures`].
-fn units(model: &Model, structure: &file::Structure, bound: &Bound, changing: bool) -> Vec<Load<f64>> {
-    let loads = structure.loads.iter().zip(&bound.frame.loads).filter(|(load, _)| !changing || moves(model, load));
+/// Unit loads in the places of the components of some loads, in the order of [`super::figures::Figures`].
+fn units(model: &Model, structure: &file::Structure, bound: &Bound, wanted: impl Fn(&file::Load) -> bool) -> Vec<Load<f64>> {
+    let loads = structure.loads.iter().zip(&bound.frame.loads).filter(|(load, _)| wanted(load));
     let units = loads.flat_map(|(load, numbers)| components(load, numbers).into_iter().filter(|c| !model.graph.is_zero(c.0)));
     units.map(|(_, action)| Load { name: String::new(), action }).collect()
 }
