@@ -125,6 +125,7 @@ pub fn turns<T: Turning + ?Sized>(machine: &T, speeds: &[f64]) -> Vec<Option<Tur
 
 /// Speeds of steady turning between turns that follow one another.
 pub fn steady<T: Turning + ?Sized>(machine: &T, turns: &[Option<Turn>]) -> Vec<Steady> {
+    let turns = with_peaks(machine, turns);
     let pairs = turns.windows(2).filter_map(|pair| pair[0].as_ref().zip(pair[1].as_ref()));
     let root = |(a, b): (&Turn, &Turn)| {
         if (a.balance() > 0.0) == (b.balance() > 0.0) {
@@ -137,14 +138,53 @@ pub fn steady<T: Turning + ?Sized>(machine: &T, turns: &[Option<Turn>]) -> Vec<S
     pairs.filter_map(root).collect()
 }
 
+/// The turns with those where V is greatest, and where L is nearest to zero, between neighbours: a resonance that is narrower than the distance of the speeds may have
+/// both of its balances between two of them.
+fn with_peaks<T: Turning + ?Sized>(machine: &T, turns: &[Option<Turn>]) -> Vec<Option<Turn>> {
+    let mut between: Vec<Turn> = Vec::new();
+    for three in turns.windows(3) {
+        let [Some(a), Some(b), Some(c)] = three else { continue };
+        let ends = [a.speed, c.speed];
+        let peak = |of: fn(&Turn) -> f64| of(b) >= of(a).max(of(c)) && of(b) > of(a).min(of(c));
+        let resonance: fn(&Turn) -> f64 = |turn| turn.vibration.abs();
+        let dip: fn(&Turn) -> f64 = |turn| -turn.balance().abs();
+        let one_side = [a, c].iter().all(|t| (t.balance() > 0.0) == (b.balance() > 0.0));
+        if peak(resonance) {
+            between.extend(greatest(machine, ends, NEAR, &resonance));
+        }
+        if one_side && peak(dip) {
+            let sign = if b.balance() > 0.0 { -1.0 } else { 1.0 };
+            between.extend(greatest(machine, ends, NEAR, &|turn| sign * turn.balance()));
+        }
+    }
+    let mut all: Vec<Option<Turn>> = Vec::with_capacity(turns.len() + between.len());
+    for turn in turns {
+        let reached = turn.as_ref().map_or(f64::NEG_INFINITY, |turn| turn.speed);
+        let last = all.last().and_then(Option::as_ref).map_or(f64::NEG_INFINITY, |turn| turn.speed);
+        let mut inside: Vec<Turn> = between.iter().filter(|t| t.speed > last && t.speed < reached).cloned().collect();
+        inside.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        all.extend(inside.into_iter().map(Some));
+        all.push(turn.clone());
+    }
+    all
+}
+
+/// Distance in speed, relative to it, within which the top of a resonance is found: its height then errs by the square of that.
+const NEAR: f64 = 1e-6;
+
 /// The turn of the greatest `sign` L between two speeds.
-pub fn extreme<T: Turning + ?Sized>(machine: &T, [mut low, mut high]: [f64; 2], sign: f64) -> Option<Turn> {
+pub fn extreme<T: Turning + ?Sized>(machine: &T, ends: [f64; 2], sign: f64) -> Option<Turn> {
+    // L is flat there: its place is known to the root of the rounding
+    greatest(machine, ends, 1e-8, &|turn| sign * turn.balance())
+}
+
+/// The turn of the greatest value between two speeds, by the golden section.
+fn greatest<T: Turning + ?Sized>(machine: &T, [mut low, mut high]: [f64; 2], within: f64, of: &dyn Fn(&Turn) -> f64) -> Option<Turn> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let value = |speed: f64| turn(machine, speed, None);
     let mut inner = [value(high - GOLDEN * (high - low))?, value(low + GOLDEN * (high - low))?];
-    // L is flat there: its place is known to the root of the rounding
-    while high - low > 1e-8 * high.abs().max(low.abs()) {
-        if sign * inner[0].balance() > sign * inner[1].balance() {
+    while high - low > within * high.abs().max(low.abs()) {
+        if of(&inner[0]) > of(&inner[1]) {
             high = inner[1].speed;
             let next = value(high - GOLDEN * (high - low))?;
             let [first, _] = inner;
@@ -157,7 +197,7 @@ pub fn extreme<T: Turning + ?Sized>(machine: &T, [mut low, mut high]: [f64; 2], 
         }
     }
     let [first, second] = inner;
-    Some(if sign * first.balance() > sign * second.balance() { first } else { second })
+    Some(if of(&first) > of(&second) { first } else { second })
 }
 
 /// Equally spaced instants of a turn, and the derivative by the angle there.

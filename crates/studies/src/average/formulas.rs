@@ -78,8 +78,8 @@ impl Formulas {
         formulas.put(equations);
         if formulas.depends_on_clocks() {
             return Err(refused((
-                "what turns at a rate of its own (an auxiliary state) acts on it besides the angle",
-                "кроме угла на неё действует то, что вращается со своей скоростью (вспомогательное состояние)",
+                "another rotation (an unbalanced rotor with a speed of its own) acts on it besides the angle",
+                "кроме этого угла на неё действует другое вращение (неуравновешенный ротор со своей скоростью)",
             )));
         }
         if !formulas.repeats() {

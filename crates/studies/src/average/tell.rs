@@ -43,11 +43,15 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
         results.facts.push(speed(k, s));
     }
     if let Some(ripple) = list.iter().map(|s| s.turn.ripple).reduce(f64::max) {
-        let label = Text::new("largest departure of the angle from uniform turning", "наибольшее отклонение угла от равномерного вращения");
+        let label =
+            Text::new("bound of the departure of the angle from uniform turning", "оценка сверху отклонения угла от равномерного вращения");
         results.facts.push(Fact::new("ripple", "ε", "rad", ripple, label));
     }
     results.own.insert("speeds".into(), list.iter().map(json_of).collect());
-    let (en, ru) = ("The moments balance at no speed of this range.", "В этом промежутке скоростей баланса моментов нет.");
+    let (en, ru) = (
+        "The moments balance at no speed of this range. Formulas of time stand at `instant`, 0 s without another wish.",
+        "В этом промежутке скоростей баланса моментов нет. Формулы времени взяты в момент `instant`, по умолчанию 0 с.",
+    );
     results.words.push(if list.is_empty() { Text::new(en, ru) } else { balance_words() });
     results.words.extend(gaps(found.iter().filter(|turn| turn.is_none()).count()));
     if let Some(until) = asked.number("runs") {
@@ -57,7 +61,7 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
         let nearest = list.iter().filter(|s| s.stable).map(|s| (s.turn.speed - own).abs()).reduce(f64::min);
         if let Some(off) = nearest {
             let label = Text::new(
-                "its distance from the nearest stable speed, beside it",
+                "its relative distance from the nearest stable speed",
                 "её относительное отличие от ближайшей устойчивой скорости",
             );
             results.facts.push(Fact::new("off", "δ", "1", off / own.abs(), label));
@@ -70,7 +74,7 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
 pub(super) fn balance_words() -> Text {
     Text::new(
         "Averaged over a turn: N is what turns the angle by itself, V the vibrational moment, which the answer of the rest takes; the speeds are those at which N = V, stable where N − V falls. The theory errs by the order of the ripple ε.",
-        "Осреднено за оборот: N — собственный момент на этом угле, V — вибрационный момент, который отнимают колебания остальной машины; скорости — те, при которых N = V, устойчивые там, где N − V убывает. Погрешность теории — порядка ε, неравномерности вращения.",
+        "Осреднение за оборот: N — средний момент, который вращал бы угол при неподвижной остальной машине, V — вибрационный момент, расходуемый на её колебания; установившимся скоростям отвечает N = V, устойчивым — там, где N − V убывает. Погрешность теории — порядка ε, отклонения от равномерного вращения.",
     )
 }
 

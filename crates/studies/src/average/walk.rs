@@ -54,6 +54,8 @@ struct Walk<'a> {
     speeds: Vec<f64>,
     /// Speeds without a turn, at all values.
     gaps: usize,
+    /// Intervals in which speeds appear or vanish and no fold was closed in.
+    open: Vec<[f64; 2]>,
 }
 
 impl Walk<'_> {
@@ -114,7 +116,7 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
     let formulas = Formulas::of(machine, &angle, instant)?;
     let count = speeds.len();
-    let mut walk = Walk { machine: machine.clone(), formulas, name, angle, instant, speeds, gaps: 0 };
+    let mut walk = Walk { machine: machine.clone(), formulas, name, angle, instant, speeds, gaps: 0, open: Vec::new() };
     let (mut found, mut folds): (Vec<(f64, Vec<Steady>)>, Vec<Fold>) = (Vec::new(), Vec::new());
     for k in 0..count {
         if watch.is_interrupted() {
@@ -126,7 +128,11 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
         let value = if k + 1 == count { to } else { from + (to - from) * k as f64 / (count - 1) as f64 };
         let list = walk.steady(value)?;
         if let Some((before, old)) = found.last() {
-            folds.extend(between(&mut walk, (*before, old), (value, &list))?);
+            let fold = between(&mut walk, (*before, old), (value, &list))?;
+            if fold.is_none() && old.len() != list.len() {
+                walk.open.push([*before, value]);
+            }
+            folds.extend(fold);
         }
         found.push((value, list));
     }
@@ -141,10 +147,30 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let mut drawn = vec!["stable", "unstable"];
     drawn.extend((!motions.is_empty()).then_some("motion"));
     results.plots = vec![Plot { title: Text::default(), x: Some(name.to_owned()), y: drawn.into_iter().map(str::to_owned).collect() }];
-    let lacking = gaps(walk.gaps);
+    let lacking = gaps(walk.gaps).into_iter().chain(unclosed(&walk.open));
     tell(machine, name, &Course { speeds: found, folds, motions }, results);
     results.words.extend(lacking);
     Ok(())
+}
+
+/// Intervals of the parameter in which the number of speeds changes without a fold that is known.
+fn unclosed(list: &[[f64; 2]]) -> Option<Text> {
+    let of = |language| {
+        let number = |v: f64| report::number::short(v, 5, language);
+        list.iter().map(|[a, b]| format!("{} … {}", number(*a), number(*b))).collect::<Vec<_>>().join("; ")
+    };
+    (!list.is_empty()).then(|| {
+        Text::new(
+            format!(
+                "Speeds appear or vanish between these values, and no fold was closed in there (several at once, or speeds that leave the range): {}; take more `points`.",
+                of(words::Language::En)
+            ),
+            format!(
+                "Между этими значениями скорости появляются или исчезают, а поворотная точка не найдена (их несколько, или скорость выходит из диапазона): {}; увеличьте `points`.",
+                of(words::Language::Ru)
+            ),
+        )
+    })
 }
 
 /// Folds between two neighbouring values: where speeds are one more pair on one side.
@@ -190,7 +216,7 @@ fn table(machine: &Machine, name: &str, found: &[(f64, Vec<Steady>)], motions: &
         quantity(machine, name),
         own(stable, "stable", "Ω_s", "rad/s"),
         own(unstable, "unstable", "Ω_u", "rad/s"),
-        own(Text::new("departure from uniform turning", "неравномерность вращения"), "ripple", "ε", "rad"),
+        own(Text::new("departure from uniform turning", "отклонение от равномерного вращения"), "ripple", "ε", "rad"),
         own(motion, "motion", "ω", "rad/s"),
     ];
     let mut columns: Vec<Column> = quantities.into_iter().map(|quantity| Column { quantity, values: Vec::new() }).collect();
@@ -224,7 +250,8 @@ fn tell(machine: &Machine, name: &str, course: &Course, results: &mut Results) {
         results.facts.push(Fact::new(&format!("fold_speed_{}", k + 1), &format!("Ω_{}", k + 1), "rad/s", fold.turn.speed, label));
     }
     if let Some(ripple) = found.iter().flat_map(|(_, list)| list).map(|s| s.turn.ripple).reduce(f64::max) {
-        let label = Text::new("largest departure of the angle from uniform turning", "наибольшее отклонение угла от равномерного вращения");
+        let label =
+            Text::new("bound of the departure of the angle from uniform turning", "оценка сверху отклонения угла от равномерного вращения");
         results.facts.push(Fact::new("ripple", "ε", "rad", ripple, label));
     }
     results.words.push(balance_words());

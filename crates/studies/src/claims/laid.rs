@@ -9,7 +9,7 @@ use symbolic::{Expr, Graph, Node, Rational};
 use words::{Notice, Text};
 
 /// A formula of more terms is compared as a whole.
-const MOST_TERMS: usize = 120;
+pub(super) const MOST_TERMS: usize = 120;
 /// Deepest nesting of sums that is taken apart.
 const DEPTH: usize = 24;
 

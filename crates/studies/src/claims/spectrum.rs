@@ -4,7 +4,7 @@
 //! terms with the same power of ω are told apart; the factors α_k name the term that is wrong. An equation with too many or too few roots is found by
 //! Π (ω² - ω_j²) / L(ω), which is then no polynomial in ω, or vanishes at a root; where L has quotients it is the product of their denominators.
 
-use super::laid::apart;
+use super::laid::{MOST_TERMS, apart};
 use super::terms::of_term;
 use super::verdict::Verdict;
 use crate::machine::Machine;
@@ -17,7 +17,7 @@ use analysis::studies::claims::{Fit, Sum, fit};
 use mechanics::asked::Asked;
 use mechanics::model::{ClaimDecl, ClaimKind, Class, Values};
 use mechanics::variants::{Given, symbols};
-use symbolic::{Expr, SymbolId};
+use symbolic::{Expr, Graph, Node, Rational, SymbolId};
 use words::Text;
 
 /// Values of parameters are drawn between these shares of their own; nearer to them where no machine comes to rest that far away: a linkage that does not close, a
@@ -47,7 +47,7 @@ pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, wa
     let ClaimKind::FrequencyEquation { left, right, frequency, unknown } = &claim.kind else { return };
     let graph = &mut machine.equations.graph;
     let whole = graph.sub(*left, *right);
-    let published = Published { terms: apart(graph, whole), frequency: *frequency, unknown: *unknown };
+    let published = Published { terms: flat(graph, whole), frequency: *frequency, unknown: *unknown };
     let own = match frequencies(machine, watch) {
         Ok(own) => own,
         Err(words) => return verdict.words = words,
@@ -59,15 +59,31 @@ pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, wa
     (verdict.value, verdict.published) = found.worst;
     verdict.deviation = found.deviation;
     let vanishes = found.holds(claim.tolerance);
-    verdict.ok = vanishes && has_these_roots(machine, &published, &own);
+    let roots = if vanishes { roots(machine, &published, &own) } else { Roots::Others };
+    verdict.ok = vanishes && roots == Roots::These;
     if verdict.ok {
         verdict.published = verdict.value;
         if let Laid::AtOwnValues = laid {
             verdict.words = only_here();
         }
     } else {
-        verdict.words = if vanishes { other_roots(&own) } else { words(machine, (&published, &own), &found, claim.tolerance) };
+        verdict.words = match roots {
+            Roots::Fewer => fewer_roots(&own),
+            _ if vanishes => other_roots(&own),
+            _ => words(machine, (&published, &own), &found, claim.tolerance),
+        };
     }
+}
+
+/// The summands, powers of sums multiplied out: such a power is rounding at its root, and nothing beside it would say of what.
+fn flat(graph: &mut Graph, whole: Expr) -> Vec<Expr> {
+    let terms = apart(graph, whole);
+    let is_power = |(base, exponent): &(Expr, Rational)| exponent.to_f64() > 1.0 && matches!(graph.node(*base), Node::Sum { .. });
+    let folded = |e: &Expr| matches!(graph.node(*e), Node::Product { factors, .. } if factors.iter().any(is_power));
+    if !terms.iter().any(folded) {
+        return terms;
+    }
+    graph.expanded(whole, MOST_TERMS).map_or(terms, |whole| apart(graph, whole))
 }
 
 /// Natural circular frequencies without damping, the smallest first; rigid motions are zero.
@@ -154,7 +170,7 @@ fn evaluated(machine: &Machine, published: &Published, (frequency, mut known): (
 
 /// Whether L has the natural frequencies for roots and no others: Π (ω² - ω_j²) / L is then a polynomial in ω, of quotients in L their denominators, but for a power
 /// of ω. Another root would be a pole of it, a missing one leaves a factor that the polynomial has anyway and that vanishes at the root.
-fn has_these_roots(machine: &Machine, published: &Published, own: &[f64]) -> bool {
+fn roots(machine: &Machine, published: &Published, own: &[f64]) -> Roots {
     let mean = own.iter().sum::<f64>() / own.len() as f64;
     let mean = if mean > 0.0 { mean } else { 1.0 };
     let quotient = |u: f64| {
@@ -167,7 +183,7 @@ fn has_these_roots(machine: &Machine, published: &Published, own: &[f64]) -> boo
         (0..PLACES).map(|k| WIDEST[0] * elementary::pow(WIDEST[1] / WIDEST[0], (k as f64 + 0.5) / PLACES as f64)).collect();
     let values: Vec<f64> = places.iter().map(|u| quotient(*u)).collect();
     if values.iter().any(|v| !v.is_finite() || *v == 0.0) {
-        return false;
+        return Roots::Others;
     }
     // each row relative to its own value, so that four decades count alike
     let entries = |(u, v): (&f64, &f64)| powers.iter().map(|p| elementary::powi(*u, *p) / v).collect::<Vec<f64>>();
@@ -176,7 +192,22 @@ fn has_these_roots(machine: &Machine, published: &Published, own: &[f64]) -> boo
     let value = |u: f64| factors.iter().zip(&powers).map(|(c, p)| c * elementary::powi(u, *p)).sum::<f64>();
     let size = |u: f64| factors.iter().zip(&powers).map(|(c, p)| (c * elementary::powi(u, *p)).abs()).sum::<f64>();
     let missing = own.iter().any(|r| value(r / mean).abs() <= SAME * size(r / mean));
-    off <= SAME * (PLACES as f64).sqrt() && !missing
+    match (off <= SAME * (PLACES as f64).sqrt(), missing) {
+        (false, _) => Roots::Others,
+        (true, true) => Roots::Fewer,
+        (true, false) => Roots::These,
+    }
+}
+
+/// The roots of an equation beside the natural frequencies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Roots {
+    /// The same, each as often.
+    These,
+    /// One is missing, or counted too few times.
+    Fewer,
+    /// There are more, or others.
+    Others,
 }
 
 fn only_here() -> Text {
@@ -189,6 +220,17 @@ fn only_here() -> Text {
 /// Natural frequencies for a sentence.
 fn listed(own: &[f64], language: words::Language) -> String {
     own.iter().map(|w| report::number::short(*w, 5, language)).collect::<Vec<_>>().join("; ")
+}
+
+fn fewer_roots(own: &[f64]) -> Text {
+    let of = |language| listed(own, language);
+    Text::new(
+        format!(
+            "the equation lacks a root: the natural frequencies are {} rad/s, each as many times as it stands here",
+            of(words::Language::En)
+        ),
+        format!("в уравнении не хватает корня: собственные частоты {} рад/с, каждая с указанной кратностью", of(words::Language::Ru)),
+    )
 }
 
 fn other_roots(own: &[f64]) -> Text {

@@ -47,8 +47,8 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
     }
     if diagram.left_out > 0 {
         results.words.push(Text::new(
-            format!("Branches that part at {} more points are not followed; take more `branches`.", diagram.left_out),
-            format!("Ветви, отходящие ещё в {} точках, не прослежены; увеличьте `branches`.", diagram.left_out),
+            format!("Branches that part and are not followed: {}; take more `branches`.", diagram.left_out),
+            format!("Не прослежено отходящих ветвей: {}; увеличьте `branches`.", diagram.left_out),
         ));
     }
     if diagram.deeper > 0 {
