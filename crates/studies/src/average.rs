@@ -7,7 +7,7 @@ mod motions;
 mod tell;
 mod walk;
 
-use super::{Found, Given, Interrupts, Results, Rows, Study, overlaid};
+use super::{Found, Given, Interrupts, Results, Rows, Study, agreed, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::results::finite::checked;
@@ -109,9 +109,8 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 .help("write slowest = \"10 rad/s\", fastest = \"60 rad/s\"", "напишите slowest = \"10 рад/с\", fastest = \"60 рад/с\""),
         );
     }
-    let ends = [asked.has("from"), asked.has("to")];
-    if asked.has("parameter") && ends != [true, true] || !asked.has("parameter") && ends != [false, false] {
-        found.push(Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе").help(
+    if let Some(half) = super::keys::half_a_range(asked) {
+        found.push(half.help(
             "write parameter = \"Omega\", from = \"10 rad/s\", to = \"40 rad/s\"",
             "напишите parameter = \"Omega\", from = \"10 рад/с\", to = \"40 рад/с\"",
         ));
@@ -148,10 +147,7 @@ impl Study for SlowBalance {
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         let asked = overlaid(&KIND, given.written.or(given.of_file).ok_or_else(nothing_turns)?, given.line);
-        match objections(&asked).into_iter().next() {
-            Some(Objection { code, what, why, help, .. }) => Err(Notice::new(code, what.en, what.ru).because(why).cure(help).misuse()),
-            None => Ok(asked),
-        }
+        agreed(&KIND, asked)
     }
     fn interrupts(&self) -> Interrupts {
         Interrupts::Kept

@@ -8,8 +8,8 @@ mod phrases;
 mod show;
 mod tell;
 
-use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, turns_of_no_angle};
-use super::{Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
+use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, go_together, turns_of_no_angle};
+use super::{Found, Given, Interrupts, Repeats, Results, Study, agreed, idle, overlaid};
 use crate::Failure;
 use crate::equilibrium;
 use crate::machine::{self, Machine, explained as in_symbols};
@@ -144,7 +144,7 @@ fn objections(asked: &Asked) -> Vec<Objection> {
     let ranged = asked.has("parameter") && asked.has("from") && asked.has("to");
     if !free && !ranged {
         found.push(
-            Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе")
+            go_together()
                 .why("branches are followed between two values of a parameter", "ветви прослеживаются между двумя значениями параметра")
                 .help(
                     "write parameter = \"w\", from = \"0.2 rad/s\", to = \"3 rad/s\"",
@@ -210,13 +210,7 @@ impl Study for Branches {
                 ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
             return Err(idle("--turns", &Text::new(en, ru)));
         }
-        match objections(&asked).into_iter().next() {
-            Some(Objection { code, what, why, help, .. }) => {
-                use crate::failure::Misuse;
-                Err(Notice::new(code, what.en, what.ru).why(why.en, why.ru).help(help.en, help.ru).misuse())
-            }
-            None => Ok(asked),
-        }
+        agreed(&KIND, asked)
     }
     fn interrupts(&self) -> Interrupts {
         Interrupts::Kept

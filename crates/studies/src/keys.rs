@@ -204,6 +204,17 @@ pub fn backwards(asked: &Asked) -> Option<Objection> {
     })
 }
 
+/// An objection to a parameter without both of its values, or to values without their parameter.
+pub fn half_a_range(asked: &Asked) -> Option<Objection> {
+    let given = ["parameter", "from", "to"].iter().filter(|key| asked.has(key)).count();
+    (given % 3 != 0).then(go_together)
+}
+
+/// An objection to a range that lacks its parameter or a value.
+pub fn go_together() -> Objection {
+    Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе")
+}
+
 /// An objection to turns of a section that is no angle; a section that could not be read has its own.
 pub fn turns_of_no_angle(asked: &Asked) -> Option<Objection> {
     let is_read = !asked.has("section") || asked.get("section").is_some();

@@ -12,7 +12,7 @@ mod tell;
 mod tongues;
 
 use super::keys::{LEVEL, REGIMES};
-use super::{Extra, Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
+use super::{Extra, Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, agreed, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::repeat;
@@ -185,10 +185,7 @@ impl Study for Plane {
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         let asked = given.written.or(given.of_file).ok_or_else(nothing_to_map)?;
         let asked = overlaid(&KIND, asked, given.line);
-        match objections(&asked).into_iter().next() {
-            Some(Objection { code, what, why, help, .. }) => Err(Notice::new(code, what.en, what.ru).because(why).cure(help).misuse()),
-            None => Ok(asked),
-        }
+        agreed(&KIND, asked)
     }
     fn inner(&self, all: &Studies) -> Vec<&'static Key> {
         repeat::keys(all, &KIND)

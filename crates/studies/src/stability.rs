@@ -14,8 +14,8 @@ mod show;
 mod single;
 mod walk;
 
-use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, turns_of_no_angle};
-use super::{Finds, Found, Given, Interrupts, Repeats, Results, Study, idle, overlaid};
+use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, half_a_range, turns_of_no_angle};
+use super::{Finds, Found, Given, Interrupts, Repeats, Results, Study, agreed, idle, overlaid};
 use crate::Failure;
 use crate::machine::{self, Machine};
 use crate::results::finite::checked;
@@ -105,15 +105,12 @@ fn objections(asked: &Asked) -> Vec<Objection> {
     if asked.coordinate("angle").is_some_and(|angle| angle.dimension.is_some() && !angle.is_angle()) {
         found.push(Objection::no_angle("angle"));
     }
-    let ends = [asked.has("from"), asked.has("to")];
-    if asked.has("parameter") && ends != [true, true] || !asked.has("parameter") && ends != [false, false] {
+    if let Some(half) = half_a_range(asked) {
         found.push(
-            Objection::whole("M071", "`parameter`, `from` and `to` go together", "`parameter`, `from` и `to` задают вместе")
-                .why("boundaries are looked for between two values of a parameter", "границы ищут между двумя значениями параметра")
-                .help(
-                    "write parameter = \"R\", from = \"0.1 m\", to = \"0.25 m\"",
-                    "напишите parameter = \"R\", from = \"0.1 m\", to = \"0.25 m\"",
-                ),
+            half.why("boundaries are looked for between two values of a parameter", "границы ищут между двумя значениями параметра").help(
+                "write parameter = \"R\", from = \"0.1 m\", to = \"0.25 m\"",
+                "напишите parameter = \"R\", from = \"0.1 m\", to = \"0.25 m\"",
+            ),
         );
     }
     found.extend(backwards(asked));
@@ -182,10 +179,7 @@ impl Study for Disturbances {
         if given.line.has("speed") && !asked.has("angle") {
             return Err(idle("--speed", &Text::new("no angle runs: --angle phi", "ни одна координата не растёт равномерно: --angle phi")));
         }
-        match objections(&asked).into_iter().next() {
-            Some(objection) => Err(asked::misused(objection)),
-            None => Ok(asked),
-        }
+        agreed(&KIND, asked)
     }
     fn finds(&self) -> Finds {
         Finds::Verdict

@@ -8,7 +8,7 @@ mod follow;
 mod motions;
 
 use super::keys::{LEVEL, OBSERVED, PARTS, REGIMES};
-use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
+use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, agreed, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::repeat::regimes;
@@ -137,10 +137,7 @@ impl Study for Change {
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         let asked = given.written.or(given.of_file).ok_or_else(nothing_to_find)?;
         let asked = overlaid(&KIND, asked, given.line);
-        match objections(&asked).into_iter().next() {
-            Some(Objection { code, what, why, help, .. }) => Err(Notice::new(code, what.en, what.ru).because(why).cure(help).misuse()),
-            None => Ok(asked),
-        }
+        agreed(&KIND, asked)
     }
     fn inner(&self, all: &Studies) -> Vec<&'static Key> {
         repeat::keys(all, &KIND)

@@ -4,7 +4,7 @@ use super::built::Machine;
 use crate::failure::{Failure, Misuse};
 use crate::results::{Conclusion, Results};
 use crate::watch::Watch;
-use mechanics::asked::{Asked, Key, Kind, Kinds, Words};
+use mechanics::asked::{Asked, Key, Kind, Kinds, Objection, Words};
 use words::explain::Explanation;
 use words::{Language, Notice, Text};
 
@@ -229,6 +229,16 @@ pub fn overlaid(kind: &Kind, mut asked: Asked, line: &Asked) -> Asked {
         asked.set(key, value.clone());
     }
     asked
+}
+
+/// What the file and the command line ask together, where the study's own check has nothing against it.
+///
+/// *Errors*: its first objection.
+pub fn agreed(kind: &Kind, asked: Asked) -> Result<Asked, Failure> {
+    match (kind.check)(&asked).into_iter().next() {
+        Some(Objection { code, what, why, help, .. }) => Err(Notice::new(code, what.en, what.ru).because(why).cure(help).misuse()),
+        None => Ok(asked),
+    }
 }
 
 /// C054: an option that would change nothing.

@@ -1,12 +1,9 @@
 //! What is asked of stability.
 
-use crate::Failure;
-use crate::failure::Misuse;
 use crate::machine::Machine;
 use crate::periodic::Periodic;
-use mechanics::asked::{Asked, Objection};
+use mechanics::asked::Asked;
 use symbolic::SymbolId;
-use words::Notice;
 
 /// What is disturbed; SI.
 #[derive(Clone, Debug)]
@@ -79,10 +76,4 @@ impl Stability {
         };
         Stability { about, ..self.clone() }
     }
-}
-
-/// An objection to what the command line and the file say together.
-pub(super) fn misused(objection: Objection) -> Failure {
-    let Objection { code, what, why, help, .. } = objection;
-    Notice::new(code, what.en, what.ru).why(why.en, why.ru).help(help.en, help.ru).misuse()
 }
