@@ -2,7 +2,7 @@
 
 use crate::Fault;
 use crate::peaks::{self, Peak};
-use crate::studies::modes::{Complex, Kind, Modes};
+use crate::studies::modes::{Complex, Kind, Mode, Modes};
 use crate::studies::response::{Forced, Point, magnitude, phase};
 
 /// A largest amplitude.
@@ -18,9 +18,9 @@ pub struct Resonance {
     pub phase: f64,
     /// Dynamic coefficient: amplitude over that of the same load acting statically; NaN where nothing restores.
     pub gain: f64,
-    /// Index of the mode that resounds.
+    /// Index of the mode that resounds, among those of the machine at this frequency.
     pub mode: Option<usize>,
-    /// Quality factor 1/2ζ of that mode; infinite without damping.
+    /// Quality factor 1/2ζ of that mode there; infinite without damping.
     pub quality: f64,
     /// Frequencies of half power, amplitude/√2, on both sides; NaN where there are none.
     pub half_power: [f64; 2],
@@ -49,6 +49,8 @@ const SHARE: f64 = 0.05;
 const ENDLESS: f64 = 1e6;
 /// Points between two natural frequencies.
 const BETWEEN: usize = 60;
+/// Points of the grid at most at which modes are asked for: an eigenproblem each, and natural frequencies are smooth beside amplitudes.
+const SOUGHT: usize = 101;
 
 /// Resonances and antiresonances of the first `outputs` outputs between the ends of a grid of points.
 ///
@@ -61,10 +63,12 @@ pub fn extremes(
 ) -> Result<(Vec<Resonance>, Vec<Antiresonance>), Fault> {
     let (mut high, mut low) = (Vec::new(), Vec::new());
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok((high, low)) };
-    let omegas = dense(modes, first.omega, last.omega, points);
+    let mut natural: Vec<Mode> = modes.modes.clone();
+    natural.extend(critical(forced, points)?);
+    let omegas = dense(&natural, first.omega, last.omega, points);
     let dense = omegas.iter().map(|w| forced.at(*w)).collect::<Result<Vec<Point>, Fault>>()?;
     for k in 0..outputs {
-        let mut search = Search { forced, modes, k, omegas: &omegas, points: &dense };
+        let mut search = Search { forced, modes, natural: &natural, k, omegas: &omegas, points: &dense };
         high.extend(search.resonances()?);
         low.extend(search.antiresonances()?);
     }
@@ -72,10 +76,10 @@ pub fn extremes(
 }
 
 /// The grid, points between natural frequencies, and points about each.
-fn dense(modes: &Modes, from: f64, to: f64, points: &[Point]) -> Vec<f64> {
-    let mut marks: Vec<f64> = modes.modes.iter().filter(|m| m.kind == Kind::Oscillation && m.damped > 0.0).map(|m| m.damped).collect();
+fn dense(modes: &[Mode], from: f64, to: f64, points: &[Point]) -> Vec<f64> {
+    let mut marks: Vec<f64> = modes.iter().filter(|m| m.kind == Kind::Oscillation && m.damped > 0.0).map(|m| m.damped).collect();
     let mut list: Vec<f64> = points.iter().map(|p| p.omega).collect();
-    for m in modes.modes.iter().filter(|m| m.kind == Kind::Oscillation) {
+    for m in modes.iter().filter(|m| m.kind == Kind::Oscillation) {
         // without damping points stand as near as those of a damping of a millionth
         let half = m.omega * m.ratio.abs().max(1e-6);
         for s in [0.1, 0.3, 0.6, 1.0, 2.0, 4.0, 10.0, 30.0, 100.0] {
@@ -94,9 +98,43 @@ fn dense(modes: &Modes, from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     list
 }
 
+/// Modes of a machine that follows the frequency, at the frequencies that are their own: critical speeds. The k-th frequency of a machine is continuous in its
+/// numbers, so that k-th frequency less ω changes its sign between two points where one lies between them.
+fn critical(forced: &mut Forced, points: &[Point]) -> Result<Vec<Mode>, Fault> {
+    if !forced.is_followed() {
+        return Ok(Vec::new());
+    }
+    let every = points.len().div_ceil(SOUGHT).max(1);
+    let mut found = Vec::new();
+    let mut before: Option<(f64, Vec<Mode>)> = None;
+    for point in points.iter().step_by(every).chain(points.last()).filter(|p| p.omega > 0.0) {
+        let here = oscillations(forced, point.omega)?;
+        if let Some((omega, there)) = before.filter(|(_, there)| there.len() == here.len()) {
+            for k in (0..here.len()).filter(|k| (there[*k].damped - omega) * (here[*k].damped - point.omega) < 0.0) {
+                let mut above = |w: f64| oscillations(forced, w).ok().and_then(|list| Some(list.get(k)?.damped - w)).unwrap_or(f64::NAN);
+                let own = peaks::zero(&mut above, omega, point.omega);
+                found.extend(oscillations(forced, own)?.into_iter().nth(k));
+            }
+        }
+        before = Some((point.omega, here));
+    }
+    Ok(found)
+}
+
+/// Oscillations of the machine at a frequency, the slowest first.
+fn oscillations(forced: &mut Forced, omega: f64) -> Result<Vec<Mode>, Fault> {
+    let mut list = forced.modes(omega)?.modes;
+    list.retain(|m| m.kind == Kind::Oscillation);
+    list.sort_by(|a, b| a.damped.total_cmp(&b.damped));
+    Ok(list)
+}
+
 struct Search<'a, 'm> {
     forced: &'a mut Forced<'m>,
+    /// Of the machine with the numbers of the file.
     modes: &'a Modes,
+    /// With those at critical speeds, where the machine follows the frequency.
+    natural: &'a [Mode],
     k: usize,
     omegas: &'a [f64],
     points: &'a [Point],
@@ -147,13 +185,13 @@ impl Search<'_, '_> {
     /// Without damping: natural frequencies that the load excites and the output shows.
     fn poles(&mut self, from: f64, to: f64) -> Result<Vec<Resonance>, Fault> {
         let mut found: Vec<Resonance> = Vec::new();
-        let natural = self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation && m.root.0 == 0.0);
-        let mut places: Vec<(Option<usize>, f64)> = natural.map(|(i, m)| (Some(i), m.damped)).collect();
-        // a machine that follows the frequency itself resounds where none of its natural frequencies at the file's own value is
+        let natural = self.natural.iter().filter(|m| m.kind == Kind::Oscillation && m.root.0 == 0.0);
+        let mut places: Vec<f64> = natural.map(|m| m.damped).collect();
+        // a machine that follows the frequency may resound where a place of rest changes under it, too
         if self.undamped() {
-            places.extend(self.changes_through_infinity().into_iter().map(|omega| (None, omega)));
+            places.extend(self.changes_through_infinity());
         }
-        for (mode, omega) in places {
+        for omega in places {
             // nine digits: the same frequency found twice
             if omega < from || omega > to || found.iter().any(|f| (f.omega - omega).abs() <= 1e-9 * omega) {
                 continue;
@@ -170,7 +208,7 @@ impl Search<'_, '_> {
                 amplitude: f64::INFINITY,
                 phase: f64::NAN,
                 gain: f64::INFINITY,
-                mode,
+                mode: self.resounding(omega)?.map(|(i, _)| i),
                 quality: f64::INFINITY,
                 half_power: [f64::NAN; 2],
             });
@@ -198,13 +236,19 @@ impl Search<'_, '_> {
     fn resonance(&mut self, peak: Peak) -> Result<Resonance, Fault> {
         let point = self.forced.at(peak.omega)?;
         let (z, still) = (point.outputs[self.k], magnitude(point.still[self.k]));
-        let distance = |w: f64| (w - peak.omega).abs();
-        let candidates = self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation);
-        let mode = candidates.min_by(|a, b| distance(a.1.damped).total_cmp(&distance(b.1.damped))).map(|(i, _)| i);
-        let quality = mode.map_or(f64::NAN, |i| 0.5 / self.modes.modes[i].ratio);
+        let resounding = self.resounding(peak.omega)?;
+        let (mode, quality) = (resounding.map(|(i, _)| i), resounding.map_or(f64::NAN, |(_, ratio)| 0.5 / ratio));
         let half_power = [self.half(&peak, -1.0), self.half(&peak, 1.0)];
         let gain = if still > 0.0 { magnitude(z) / still } else { f64::NAN };
         Ok(Resonance { output: self.k, omega: peak.omega, amplitude: magnitude(z), phase: phase(z), gain, mode, quality, half_power })
+    }
+
+    /// The mode whose frequency is nearest, with its damping ratio; of a machine that follows the frequency those that it has there.
+    fn resounding(&mut self, omega: f64) -> Result<Option<(usize, f64)>, Fault> {
+        let here = if self.forced.is_followed() { &self.forced.modes(omega)? } else { self.modes };
+        let distance = |m: &Mode| (m.damped - omega).abs();
+        let candidates = here.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation);
+        Ok(candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(i, m)| (i, m.ratio)))
     }
 
     /// Where the amplitude has fallen to 1/√2 of the peak, beside it.

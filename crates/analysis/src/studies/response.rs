@@ -27,7 +27,7 @@ use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, V
 use crate::rest::search::no_equilibrium;
 use crate::studies::amplitudes::{Amplitudes, CANCELLED, Gain};
 use crate::studies::impedance::solve;
-use crate::studies::modes::Complex;
+use crate::studies::modes::{Complex, Modes, Normalisation, modes};
 use crate::studies::rest::branch::{Beyond, Branch};
 use crate::studies::rest::contacts::Contacts;
 use crate::waveform::LISTED;
@@ -414,6 +414,19 @@ impl<'m> Forced<'m> {
             };
         }
         self.machine.at(&self.place)
+    }
+
+    /// Whether a parameter of the machine follows the frequency.
+    pub fn is_followed(&self) -> bool {
+        self.follows.is_some()
+    }
+
+    /// The modes of the machine at a frequency ω.
+    ///
+    /// *Errors*: as [`Forced::matrices`], S031.
+    pub fn modes(&mut self, omega: f64) -> Result<Modes, Fault> {
+        let matrices = self.matrices(omega)?;
+        modes(&matrices, self.machine.coordinates(), Normalisation::Largest)
     }
 
     /// Follows the place of rest over a range of ω at once.
