@@ -20,6 +20,12 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
 }
 
+impl From<f64> for Double {
+    fn from(high: f64) -> Double {
+        Double { high, low: 0.0 }
+    }
+}
+
 impl Double {
     /// self + a b.
     #[inline]
@@ -33,6 +39,16 @@ impl Double {
     pub fn add_times(self, b: f64, other: Double) -> Double {
         let sum = self.add(b, other.high);
         Double { high: sum.high, low: sum.low + b * other.low }
+    }
+    /// self + a b.
+    #[must_use]
+    pub fn plus(self, a: Double, b: Double) -> Double {
+        self.add(a.high, b.high).add(a.high, b.low).add(a.low, b.high)
+    }
+    /// -self.
+    #[must_use]
+    pub fn negated(self) -> Double {
+        Double { high: -self.high, low: -self.low }
     }
     /// self / other.
     pub fn over(self, other: Double) -> Double {

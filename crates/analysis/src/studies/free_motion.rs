@@ -279,9 +279,8 @@ pub(super) fn pace(m: &Matrices) -> f64 {
     [stiff, damped].into_iter().find(|r| *r > 0.0).unwrap_or(1.0)
 }
 
-/// The forced motion at a low ω > 0, free and elastic part apart; none where nothing is free, where no digits are at stake, or where the machine
-/// resounds.
-pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplitudes> {
+/// Null directions of C beside its independent rows and columns, with Z as columns and Wᵀ as rows in the coordinates of the machine; none where C is regular.
+fn split(m: &Matrices) -> Option<(Split, Dense, Dense)> {
     let n = m.n;
     let (rows, columns) = balanced(&m.stiffness, n);
     let c = Dense::new(n, n, |i, j| m.stiffness[i * n + j] * rows[i] * columns[j]);
@@ -290,9 +289,28 @@ pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplit
     }
     let split = Split::new(&c, SINGULAR * largest(&c.data)).filter(|s| s.columns.len() < n)?;
     let k = split.right.columns;
-    // back in the coordinates of the machine
     let z = Dense::new(n, k, |i, j| split.right.at(i, j) * columns[i]);
     let w = Dense::new(k, n, |i, j| split.left.at(i, j) * rows[j]);
+    Some((split, z, w))
+}
+
+/// Free motions: directions z with C z = 0 and w with wᵀ C = 0, in the coordinates of the machine; none where nothing is free, or where something weak may restore
+/// what seems free.
+pub(super) fn directions(m: &Matrices) -> Option<(Vec<Vec<f64>>, Vec<Vec<f64>>)> {
+    let n = m.n;
+    let (_, z, w) = split(m)?;
+    let right: Vec<Vec<f64>> = (0..z.columns).map(|j| (0..n).map(|i| z.at(i, j)).collect()).collect();
+    let stiffness = Dense { rows: n, columns: n, data: m.stiffness.clone() };
+    let left = || (0..w.rows).map(|i| (0..n).map(|j| w.at(i, j)).collect()).collect();
+    right.iter().all(|z| unrestored(&stiffness, z)).then(|| (right.clone(), left()))
+}
+
+/// The forced motion at a low ω > 0, free and elastic part apart; none where nothing is free, where no digits are at stake, or where the machine
+/// resounds.
+pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplitudes> {
+    let n = m.n;
+    let (split, z, w) = split(m)?;
+    let k = split.right.columns;
     let whole = |a: &[f64]| Dense { rows: n, columns: n, data: a.to_vec() };
     let (stiffness, damping, mass) = (whole(&m.stiffness), whole(&m.damping), whole(&m.mass));
     let (bz, mz, wb, wm) = (damping.times(&z), mass.times(&z), w.times(&damping), w.times(&mass));

@@ -23,6 +23,7 @@ pub mod pushed;
 pub mod response;
 pub mod rest;
 pub mod rolling;
+mod roots;
 pub mod shapes;
 pub mod simulate;
 pub mod stability;

@@ -18,9 +18,9 @@ use words::Text;
 use crate::audits::certified;
 use crate::dataset::Audit;
 use crate::linear::{Matrices, largest, parts};
-use crate::studies::polish::polish;
+use crate::studies::roots::{Basis, roots};
 pub use crate::studies::shapes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, divided};
-use crate::studies::shapes::{normalise, pairs, remarks};
+use crate::studies::shapes::{normalise, remarks};
 use crate::{Fault, Quantity};
 use algebra::certify::certify;
 use algebra::eigen;
@@ -30,8 +30,6 @@ use algebra::sparse::Sparse;
 
 /// Sums that cancel to this share of their terms are zero.
 const CANCELLED: f64 = 1e-12;
-/// A root below this share of the fastest is lost in its rounding, unless Newton's method finds it.
-const LOST: f64 = 1e-10;
 /// Force of a free motion beyond this share of its terms is more than rounding.
 const WEAK: f64 = 8.0 * f64::EPSILON;
 /// Coupling of undamped shapes by damping that counts as none.
@@ -95,10 +93,13 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         () if uncoupled(&modal, n) => Damping::Classical,
         () => Damping::General,
     };
-    let mut list: Vec<Mode> = match kind {
-        Damping::General => general(system, &basis, &values)?,
-        _ => (0..n).map(|j| classical(values[j], modal[j * n + j], undamped.shape(j))).collect(),
+    let (mut list, unclear): (Vec<Mode>, Option<Text>) = match kind {
+        Damping::General => roots(system, &basis, (!follows).then_some(&values))?,
+        _ => ((0..n).map(|j| classical(values[j], modal[j * n + j], undamped.shape(j))).collect(), None),
     };
+    if kind == Damping::General {
+        list.sort_by(in_order);
+    }
     if largest(&damping) == 0.0 && !follows {
         list.iter_mut().for_each(conservative);
     }
@@ -120,7 +121,8 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
     }
     notes.extend(remarks(&list));
-    if (0..n).any(|j| values[j] == 0.0 && undamped.values[j] != 0.0 && weak(undamped.shape(j), &stiffness)) {
+    notes.extend(unclear);
+    if !follows && (0..n).any(|j| values[j] == 0.0 && undamped.values[j] != 0.0 && weak(undamped.shape(j), &stiffness)) {
         notes.push(Text::new(
             "a free motion may have a weak stiffness that is lost in the rounding of strong ones",
             "у свободного движения может быть слабая жёсткость, потерянная при округлении больших",
@@ -130,7 +132,10 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
     let pencil = (Sparse::from_dense(n, &stiffness)?, Sparse::from_dense(n, &system.mass)?);
     // values of free motions are zero
     let certified = eigen::Modes { values: values.clone(), ..undamped };
-    audits.extend(certified::audits(&certify(&pencil.0, &pencil.1, &certified, n)?));
+    // forces that have no energy leave no undamped machine to certify
+    if !follows {
+        audits.extend(certified::audits(&certify(&pencil.0, &pencil.1, &certified, n)?));
+    }
     let frequency = |v: &f64| if *v < 0.0 { f64::NAN } else { v.sqrt() };
     let undamped = values.iter().map(frequency).collect();
     Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes, zeros: 0 })
@@ -181,37 +186,6 @@ fn weak(shape: &[f64], stiffness: &[f64]) -> bool {
     forces.iter().any(|f| f.abs() > WEAK * largest)
 }
 
-/// Undamped shapes as a basis, xᵀ M x = 1.
-struct Basis<'a> {
-    n: usize,
-    /// Shape after shape.
-    shapes: &'a [f64],
-}
-
-impl Basis<'_> {
-    /// Φᵀ A Φ.
-    fn project(&self, a: &[f64]) -> Vec<f64> {
-        let n = self.n;
-        let shape = |j: usize| &self.shapes[j * n..(j + 1) * n];
-        let product = |i: usize, x: &[f64]| -> f64 { (0..n).map(|j| a[i * n + j] * x[j]).sum() };
-        let mut out = vec![0.0; n * n];
-        for c in 0..n {
-            let ax: Vec<f64> = (0..n).map(|i| product(i, shape(c))).collect();
-            for r in 0..n {
-                out[r * n + c] = shape(r).iter().zip(&ax).map(|(x, y)| x * y).sum();
-            }
-        }
-        out
-    }
-
-    /// Φ z.
-    fn expand(&self, z: &[Complex]) -> Vec<Complex> {
-        let n = self.n;
-        let sum = |i: usize, part: fn(&Complex) -> f64| z.iter().enumerate().map(|(j, z)| self.shapes[j * n + i] * part(z)).sum();
-        (0..n).map(|i| (sum(i, |z| z.0), sum(i, |z| z.1))).collect()
-    }
-}
-
 fn uncoupled(modal: &[f64], n: usize) -> bool {
     let size = largest(modal);
     (0..n * n).all(|p| p / n == p % n || modal[p].abs() <= UNCOUPLED * size)
@@ -240,58 +214,6 @@ fn classical(v: f64, d: f64, shape: &[f64]) -> Mode {
     Mode { kind, omega, damped: root.1, ratio, root, shape }
 }
 
-fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>, Fault> {
-    let n = system.n;
-    let (c, b) = (basis.project(&system.stiffness), basis.project(&system.damping));
-    let mut a = vec![0.0; 4 * n * n];
-    for i in 0..n {
-        a[i * 2 * n + n + i] = 1.0;
-        for j in 0..n {
-            a[(n + i) * 2 * n + j] = -c[i * n + j];
-            a[(n + i) * 2 * n + n + j] = -b[i * n + j];
-        }
-    }
-    let found = eigen::general(2 * n, &a)?;
-    let roots = pairs(&found.values);
-    let fastest = roots.iter().fold(0.0_f64, |m, v| m.max(elementary::hypot(v.0, v.1)));
-    let free = values.iter().filter(|v| **v == 0.0).count();
-    // a free motion is a double root at zero, which rounding splits by the root of 1e-16
-    let is_free = |v: &Complex| free > 0 && elementary::hypot(v.0, v.1) <= 1e-6 * fastest;
-    let mut modes = Vec::with_capacity(n);
-    let mut frees = 0;
-    for (j, root) in roots.iter().enumerate() {
-        if is_free(root) {
-            frees += 1;
-            continue;
-        }
-        if root.1 < 0.0 {
-            continue;
-        }
-        let shape = basis.expand(&pairs(&found.vector(j)[..n]));
-        let (root, shape) = match polish(system, *root, &shape) {
-            Some(better) => better,
-            // the fastest root's rounding is larger than this one
-            None if elementary::hypot(root.0, root.1) <= LOST * fastest => return Err(lost()),
-            None => (*root, shape),
-        };
-        let root = &settled_root(root, if largest(&system.damping) == 0.0 { UNDAMPED } else { POLISHED });
-        let omega = elementary::hypot(root.0, root.1);
-        let kind = match () {
-            () if root.1 > 0.0 => Kind::Oscillation,
-            () if root.0 > 0.0 => Kind::Divergence,
-            () => Kind::Aperiodic,
-        };
-        let omega = if kind == Kind::Divergence { 0.0 } else { omega };
-        let ratio = if kind == Kind::Divergence { f64::NAN } else { 0.0 - root.0 / omega };
-        modes.push(Mode { kind, omega, damped: root.1, ratio, root: *root, shape });
-    }
-    for j in (0..n).filter(|&j| values[j] == 0.0).take(frees.min(free)) {
-        modes.push(classical(0.0, 0.0, &basis.shapes[j * n..(j + 1) * n]));
-    }
-    modes.sort_by(in_order);
-    Ok(modes)
-}
-
 /// Free motions first, then by frequency.
 fn in_order(a: &Mode, b: &Mode) -> Ordering {
     let order = |m: &Mode| (m.kind != Kind::RigidBody, m.omega);
@@ -312,23 +234,6 @@ fn resisted(mode: &mut Mode) {
         mode.root.0 = 0.0;
         mode.ratio = 0.0;
     }
-}
-
-/// Share of a root that Newton's method with residuals in twice the digits leaves unknown.
-const POLISHED: f64 = 1e-28;
-/// The same where nothing depends on rates: λ² are roots of a real polynomial, imaginary λ leave rounding only.
-const UNDAMPED: f64 = 1e-14;
-
-/// A root whose real part is rounding, a share `noise` of the root at most, neither grows nor decays.
-fn settled_root(root: Complex, noise: f64) -> Complex {
-    if root.1 != 0.0 && root.0.abs() <= noise * root.1.abs() { (0.0, root.1) } else { root }
-}
-
-fn lost() -> Fault {
-    crate::fault::small::rounded_away(Text::new(
-        "a slow root of the small motions hangs on rounding",
-        "медленный корень уравнений малых движений определяется округлением",
-    ))
 }
 
 /// Share of a root by which rounding may move it off the axis: a double problem splits roots by some 1e-12 of them.

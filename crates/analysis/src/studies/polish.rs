@@ -21,38 +21,75 @@ const SETTLED: f64 = 4.0 * f64::EPSILON;
 /// A root that moves farther than this is another one.
 const NEAR: f64 = 0.5;
 
+/// A complex number in twice the digits.
+#[derive(Clone, Copy, Default)]
+struct Fine {
+    re: Double,
+    im: Double,
+}
+
+impl Fine {
+    fn of(z: Complex) -> Fine {
+        Fine { re: z.0.into(), im: z.1.into() }
+    }
+
+    fn round(self) -> Complex {
+        (self.re.round(), self.im.round())
+    }
+
+    /// self + a b.
+    fn plus(self, a: Fine, b: Fine) -> Fine {
+        Fine { re: self.re.plus(a.re, b.re).plus(a.im.negated(), b.im), im: self.im.plus(a.re, b.im).plus(a.im, b.re) }
+    }
+
+    /// self + (re, im).
+    fn moved(self, re: f64, im: f64) -> Fine {
+        Fine { re: self.re.add(1.0, re), im: self.im.add(1.0, im) }
+    }
+
+    /// self a.
+    fn times(self, a: f64) -> Fine {
+        Fine { re: Double::default().add_times(a, self.re), im: Double::default().add_times(a, self.im) }
+    }
+}
+
 /// A root and its shape; none where Newton's method does not stand (a double root).
+///
+/// Both are carried in twice the digits: a rounding of the shape alone changes the forces of strong dampers by more than all of those that hold a slow motion.
 pub(super) fn polish(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(Complex, Vec<Complex>)> {
     let n = m.n;
-    let (mut x, mut root_now) = (shape.to_vec(), root);
-    let length: f64 = x.iter().map(|z| z.0 * z.0 + z.1 * z.1).sum();
-    let first: Vec<Complex> = x.iter().map(|z| (z.0 / length, z.1 / length)).collect();
+    let mut x: Vec<Fine> = shape.iter().map(|z| Fine::of(*z)).collect();
+    let mut root_now = Fine::of(root);
+    let length: f64 = shape.iter().map(|z| z.0 * z.0 + z.1 * z.1).sum();
+    let first: Vec<Complex> = shape.iter().map(|z| (z.0 / length, z.1 / length)).collect();
     let mut before = f64::INFINITY;
     for _ in 0..STEPS {
         let (matrix, right) = bordered(m, root_now, &x, &first);
         let (step, _) = Factors::new(&matrix, 2 * n + 2).refined(&matrix, &right);
-        let change = elementary::hypot(step[n], step[2 * n + 1]) / elementary::hypot(root_now.0, root_now.1);
+        let now = root_now.round();
+        let change = elementary::hypot(step[n], step[2 * n + 1]) / elementary::hypot(now.0, now.1);
         // it does not converge, and this is not rounding yet
         if !change.is_finite() || (change > 0.9 * before && change > 1e-12) {
             return None;
         }
-        x.iter_mut().enumerate().for_each(|(i, z)| *z = (z.0 + step[i], z.1 + step[n + 1 + i]));
-        root_now = (root_now.0 + step[n], root_now.1 + step[2 * n + 1]);
+        x.iter_mut().enumerate().for_each(|(i, z)| *z = z.moved(step[i], step[n + 1 + i]));
+        root_now = root_now.moved(step[n], step[2 * n + 1]);
         // rounding of a pencil of unlike sizes ends here
         if change <= SETTLED || (change >= before && change <= 1e-12) {
             break;
         }
         before = change;
     }
-    let moved = elementary::hypot(root_now.0 - root.0, root_now.1 - root.1);
-    (moved <= NEAR * elementary::hypot(root.0, root.1)).then_some((root_now, x))
+    let found = root_now.round();
+    let moved = elementary::hypot(found.0 - root.0, found.1 - root.1);
+    (moved <= NEAR * elementary::hypot(root.0, root.1)).then(|| (found, x.iter().map(|z| z.round()).collect()))
 }
 
 /// The system as a real one of twice the size: unknowns Re dx, Re dλ, Im dx, Im dλ.
-fn bordered(m: &Matrices, root: Complex, x: &[Complex], first: &[Complex]) -> (Vec<f64>, Vec<f64>) {
+fn bordered(m: &Matrices, root: Fine, x: &[Fine], first: &[Complex]) -> (Vec<f64>, Vec<f64>) {
     let n = m.n;
-    let (re, im) = root;
-    let square = (re * re - im * im, 2.0 * re * im);
+    let fine_square = Fine::default().plus(root, root);
+    let (square, (re, im)) = (fine_square.round(), root.round());
     let size = 2 * n + 2;
     let mut matrix = vec![0.0; size * size];
     let mut right = vec![0.0; size];
@@ -63,23 +100,23 @@ fn bordered(m: &Matrices, root: Complex, x: &[Complex], first: &[Complex]) -> (V
         matrix[(n + 1 + i) * size + n + 1 + j] = z.0;
     };
     for i in 0..n {
-        let mut slope = (0.0, 0.0);
-        let (mut sum_re, mut sum_im) = (Double::default(), Double::default());
-        for (j, z) in x.iter().enumerate() {
+        let (mut slope, mut sum) = ((0.0, 0.0), Fine::default());
+        for (j, fine) in x.iter().enumerate() {
             let p = i * n + j;
             let (mass, damping, stiffness) = (m.mass[p], m.damping[p], m.stiffness[p]);
             // the terms stay apart: strong ones cancel between columns, not within one entry
-            for (a, b) in [(square.0 * mass, square.1 * mass), (re * damping, im * damping), (stiffness, 0.0)] {
-                sum_re = sum_re.add(a, z.0).add(-b, z.1);
-                sum_im = sum_im.add(a, z.1).add(b, z.0);
+            for a in [fine_square.times(mass), root.times(damping), Fine::of((stiffness, 0.0))] {
+                sum = sum.plus(a, *fine);
             }
+            let z = fine.round();
             let q = (square.0 * mass + re * damping + stiffness, square.1 * mass + im * damping);
             put(i, j, q);
             let d = (2.0 * re * mass + damping, 2.0 * im * mass);
             slope = (slope.0 + d.0 * z.0 - d.1 * z.1, slope.1 + d.0 * z.1 + d.1 * z.0);
         }
         put(i, n, slope);
-        (right[i], right[n + 1 + i]) = (-sum_re.round(), -sum_im.round());
+        let sum = sum.round();
+        (right[i], right[n + 1 + i]) = (-sum.0, -sum.1);
     }
     for (j, z) in first.iter().enumerate() {
         put(n, j, (z.0, -z.1));

@@ -12,7 +12,10 @@
 //! g = 0 but for rounding                   a free motion
 //! ```
 //!
-//! at the smallest s where |g| is clear of its rounding, on two steps in a row. A minimum of the energy is stable (Lagrange, Dirichlet), for any order. Loads that
+//! Where loads have no energy C is not symmetric, and a direction in which uᵀ C u vanishes is none in which C does. There the directions come in pairs of C = Σ σ l rᵀ:
+//! displacements go along r, forces are taken along l, and σ stands for κ.
+//!
+//! g is looked at at the smallest s where |g| is clear of its rounding, on two steps in a row. A minimum of the energy is stable (Lagrange, Dirichlet), for any order. Loads that
 //! have no energy, gyroscopic forces and two such directions at once leave it open.
 //!
 //! *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 3; the reduction to the directions that are left, K. Huseyin, Nonlinear Theory of
@@ -24,6 +27,8 @@ use crate::linear::{LinearMachine, Matrices, Place, largest, parts};
 use crate::rest::search::Statics;
 use crate::rest::sizes::Sizes;
 use algebra::eigen;
+use algebra::lu::Lu;
+use algebra::vectors::{dot, norm};
 use words::Text;
 
 /// The least and the largest displacement, of the coordinate that moves most, relative to its size; and the ratio of two that follow each other.
@@ -44,6 +49,10 @@ const CLEAR: f64 = 1e3;
 const STEPS: usize = 12;
 /// Share of the stiffness that loads without energy may have.
 const ODD: f64 = 1e-9;
+/// Share of a matrix that its odd part may have where it is symmetric but for rounding: entries are sums of some dozens of terms.
+const EVEN: f64 = 256.0 * f64::EPSILON;
+/// Singular values below this share of the largest, about the root of a rounding, have left vectors of their own: Aᵀ A knows none of them from zero.
+const FLAT: f64 = 1e-7;
 /// Most directions that are looked at.
 const DIRECTIONS: usize = 24;
 
@@ -52,20 +61,24 @@ const DIRECTIONS: usize = 24;
 pub struct Degenerate {
     /// The verdict of the force of higher order; none where it leaves it open.
     pub stable: Option<bool>,
-    /// Directions u whose stiffness is rounding, by coordinate.
-    flat: Vec<Vec<f64>>,
+    /// Stiffnesses κ that are rounding, each with what they stand for in C, κ l rᵀ, by coordinate.
+    flat: Vec<Rounded>,
+}
+
+/// A part κ l rᵀ of C.
+#[derive(Clone, Debug, PartialEq)]
+struct Rounded {
+    stiffness: f64,
+    left: Vec<f64>,
+    right: Vec<f64>,
 }
 
 impl Degenerate {
-    /// The matrices without that rounding: C - C u uᵀ C / (uᵀ C u) for each u.
+    /// The matrices without that rounding.
     pub fn settle(&self, matrices: &mut Matrices) {
         let n = matrices.n;
-        for u in &self.flat {
-            let force: Vec<f64> = matrices.stiffness.chunks(n).map(|row| row.iter().zip(u).map(|(c, u)| c * u).sum()).collect();
-            let stiffness: f64 = force.iter().zip(u).map(|(f, u)| f * u).sum();
-            if stiffness != 0.0 {
-                (0..n * n).for_each(|p| matrices.stiffness[p] -= force[p / n] * (force[p % n] / stiffness));
-            }
+        for part in &self.flat {
+            (0..n * n).for_each(|p| matrices.stiffness[p] -= part.stiffness * part.left[p / n] * part.right[p % n]);
         }
     }
 }
@@ -90,8 +103,8 @@ pub fn degenerate(machine: &mut LinearMachine, place: &Place) -> Option<Degenera
     if ways.iter().all(|way| *way == Way::Plain) {
         return None;
     }
-    let flat: Vec<Vec<f64>> =
-        around.directions.iter().zip(&ways).filter(|(_, way)| **way != Way::Plain).map(|(d, _)| d.shape.clone()).collect();
+    let flat: Vec<Rounded> =
+        around.directions.iter().zip(&ways).filter(|(_, way)| **way != Way::Plain).map(|(d, _)| d.part.clone()).collect();
     let matrices = &around.along;
     let (_, odd) = parts(&matrices.stiffness, matrices.n);
     let (damping, gyroscopic) = parts(&matrices.damping, matrices.n);
@@ -128,9 +141,59 @@ pub fn remark<'d>(found: impl Iterator<Item = &'d Degenerate>) -> Option<Text> {
 
 /// A direction, its longest entry one size of its coordinate.
 struct Direction {
-    /// By coordinate.
+    /// Of a displacement, by coordinate.
     shape: Vec<f64>,
+    /// Of the force, in the same units of work: the shape itself where C is symmetric.
+    against: Vec<f64>,
     stiffness: f64,
+    /// The part of C.
+    part: Rounded,
+}
+
+/// Directions of a square matrix that belong together, of length 1: A = Σ σ l rᵀ.
+struct Pair {
+    left: Vec<f64>,
+    right: Vec<f64>,
+    /// σ, with the sign that makes l and r point alike.
+    value: f64,
+}
+
+/// The pairs of a matrix in which coordinates are alike: eigenvectors where it is symmetric but for rounding, else singular vectors.
+fn pairs(a: &[f64], k: usize) -> Option<Vec<Pair>> {
+    let unit: Vec<f64> = (0..k * k).map(|p| f64::from(u8::from(p / k == p % k))).collect();
+    let (even, odd) = parts(a, k);
+    if largest(&odd) <= EVEN * largest(a) {
+        let found = eigen::symmetric(k, &even, &unit).ok()?;
+        let pair = |j: usize| Pair { left: found.shape(j).to_vec(), right: found.shape(j).to_vec(), value: found.values[j] };
+        return Some((0..k).map(pair).collect());
+    }
+    let product = |across: bool| -> Vec<f64> {
+        let entry = |i: usize, l: usize| if across { a[i * k + l] } else { a[l * k + i] };
+        (0..k * k).map(|p| (0..k).map(|l| entry(p / k, l) * entry(p % k, l)).sum()).collect()
+    };
+    let (right, left) = (eigen::symmetric(k, &product(false), &unit).ok()?, eigen::symmetric(k, &product(true), &unit).ok()?);
+    let top = right.values.iter().fold(0.0_f64, |m, v| m.max(v.abs())).sqrt();
+    let pair = |j: usize| {
+        let r = right.shape(j).to_vec();
+        let image: Vec<f64> = a.chunks(k).map(|row| dot(row, &r)).collect();
+        let size = norm(&image);
+        let mut l = if size > FLAT * top { image.iter().map(|v| v / size).collect() } else { left.shape(j).to_vec() };
+        if dot(&l, &r) < 0.0 {
+            l.iter_mut().for_each(|v| *v = -*v);
+        }
+        let value = dot(&l, &image);
+        Pair { left: l, right: r, value }
+    };
+    Some((0..k).map(pair).collect())
+}
+
+/// The matrix P = Z (Zᵀ Z)⁻¹ of a basis, row-major n x k: Zᵀ P = E.
+fn inverse(z: &[f64], k: usize) -> Option<Vec<f64>> {
+    let n = z.len() / k;
+    let gram: Vec<f64> = (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k] * z[i * k + p % k]).sum()).collect();
+    let lu = Lu::exact(&gram, k)?;
+    let rows: Option<Vec<Vec<f64>>> = z.chunks(k).map(|row| lu.solve(row)).collect();
+    Some(rows?.concat())
 }
 
 /// The surroundings of a place.
@@ -144,9 +207,8 @@ struct Around<'m> {
 impl Around<'_> {
     fn new<'m>(machine: &'m mut LinearMachine, place: &Place) -> Option<Around<'m>> {
         let matrices = machine.at(place).ok().filter(|m| m.drift.is_empty())?;
-        let n = matrices.n;
         let (basis, along) = match matrices.allowed() {
-            Some((z, k)) => (Some(z.clone()), matrices.reduced(&z, k)),
+            Some((z, k)) => (Some((z.clone(), k)), matrices.reduced(&z, k)),
             None => (None, matrices),
         };
         let k = along.n;
@@ -155,22 +217,37 @@ impl Around<'_> {
         }
         // alike stiffnesses on the diagonal: the eigenvectors are those of no unit
         let units = scales(&along);
-        let even = parts(&along.stiffness, k).0;
-        let scaled: Vec<f64> = (0..k * k).map(|p| units[p / k] * even[p] * units[p % k]).collect();
-        let unit: Vec<f64> = (0..k * k).map(|p| f64::from(u8::from(p / k == p % k))).collect();
-        let found = eigen::symmetric(k, &scaled, &unit).ok()?;
+        let scaled: Vec<f64> = (0..k * k).map(|p| units[p / k] * along.stiffness[p] * units[p % k]).collect();
+        let found = pairs(&scaled, k)?;
         let names: Vec<String> = machine.coordinates().iter().map(|c| c.unit.clone()).collect();
         let sizes = Sizes::new(names.iter().map(String::as_str)).at(&[&place.q]);
-        let direction = |j: usize| {
-            let own: Vec<f64> = found.shape(j).iter().zip(&units).map(|(v, u)| v * u).collect();
-            let shape: Vec<f64> = match &basis {
-                Some(z) => (0..n).map(|i| (0..k).map(|c| z[i * k + c] * own[c]).sum()).collect(),
-                None => own,
-            };
-            let most = shape.iter().zip(&sizes).fold(0.0_f64, |m, (v, size)| m.max(v.abs() / size));
-            Direction { shape: shape.iter().map(|v| v / most).collect(), stiffness: found.values[j] / (most * most) }
+        // displacements z y, and the rows that give y of them
+        let back = match &basis {
+            Some((z, _)) => Some(inverse(z, k)?),
+            None => None,
         };
-        let directions = (0..k).map(direction).collect();
+        let whole = |own: &[f64]| -> Vec<f64> {
+            match &basis {
+                Some((z, _)) => z.chunks(k).map(|row| row.iter().zip(own).map(|(z, v)| z * v).sum()).collect(),
+                None => own.to_vec(),
+            }
+        };
+        let dual = |own: &[f64]| -> Vec<f64> {
+            match &back {
+                Some(p) => p.chunks(k).map(|row| row.iter().zip(own).map(|(p, v)| p * v).sum()).collect(),
+                None => own.to_vec(),
+            }
+        };
+        let by = |v: &[f64], f: fn(f64, f64) -> f64| -> Vec<f64> { v.iter().zip(&units).map(|(v, u)| f(*v, *u)).collect() };
+        let direction = |pair: &Pair| {
+            let (shape, against) = (whole(&by(&pair.right, |v, u| v * u)), whole(&by(&pair.left, |v, u| v * u)));
+            let most = shape.iter().zip(&sizes).fold(0.0_f64, |m, (v, size)| m.max(v.abs() / size));
+            let part =
+                Rounded { stiffness: pair.value, left: dual(&by(&pair.left, |v, u| v / u)), right: dual(&by(&pair.right, |v, u| v / u)) };
+            let scaled = |list: Vec<f64>| list.iter().map(|v| v / most).collect();
+            Direction { shape: scaled(shape), against: scaled(against), stiffness: pair.value / (most * most), part }
+        };
+        let directions = found.iter().map(direction).collect();
         Some(Around { machine, q: place.q.clone(), along, directions })
     }
 
@@ -189,8 +266,8 @@ impl Around<'_> {
             None => along.force,
         };
         let of = |d: &Direction| {
-            let sum: f64 = d.shape.iter().zip(&force).map(|(v, f)| v * f).sum();
-            let size: f64 = d.shape.iter().zip(&sizes).map(|(v, s)| (v * s).abs()).sum();
+            let sum: f64 = d.against.iter().zip(&force).map(|(v, f)| v * f).sum();
+            let size: f64 = d.against.iter().zip(&sizes).map(|(v, s)| (v * s).abs()).sum();
             [sum, ROUNDED * size]
         };
         Some(self.directions.iter().map(of).collect())
