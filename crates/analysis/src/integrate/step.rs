@@ -95,9 +95,14 @@ impl Step {
 
     /// The change point, with its surroundings, where `tau` is all but in it and values on both sides lie in the step.
     pub fn at_change_point(&self, tau: f64) -> Option<[f64; 2]> {
-        let [to, around] = self.change?;
+        self.around_change_point(tau).filter(|[to, around]| (tau - to).abs() <= IN_IT * around)
+    }
+
+    /// The change point, with its surroundings, where `tau` lies in these and values on both sides lie in the step.
+    pub fn around_change_point(&self, tau: f64) -> Option<[f64; 2]> {
+        let [to, around] = self.change.filter(|_| self.is_blind(tau))?;
         let between = to - 2.0 * around >= 0.0 && to + 2.0 * around <= self.length;
-        (between && (tau - to).abs() <= IN_IT * around).then_some([to, around])
+        between.then_some([to, around])
     }
 
     /// The same length, or the start of the step in place of one near a change point.

@@ -6,6 +6,7 @@
 //! ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is then polished on f itself. The same polynomials give
 //! integrals, hence means and works.
 
+pub(crate) mod bridge;
 pub(crate) mod course;
 pub mod crossings;
 pub mod extremes;
@@ -20,10 +21,15 @@ use program::Behind;
 
 use crate::integrate::Step;
 use crate::proxies::proxy::Source;
-use crate::{System, dataset::Extreme};
+use crate::{Fault, System, dataset::Extreme};
+use bridge::Bridge;
 
 /// Samples of a step that are kept: those of its whole length.
 const KNOWN: usize = 17;
+
+/// Share of a step on either side of a place without values that is bridged: far enough for digits where M is singular like the square of the distance, and so near that
+/// a cubic leaves twelve of them.
+const AROUND: f64 = 1e-3;
 
 /// A quantity along a step: which outputs, and room to evaluate them.
 pub(crate) struct Along<'a, S: ?Sized> {
@@ -37,13 +43,15 @@ pub(crate) struct Along<'a, S: ?Sized> {
     all: Vec<f64>,
     /// The first samples of the step, by tau: events, contacts and extremes ask for the same.
     known: Vec<(f64, Vec<f64>)>,
+    /// Over the last place at which values followed from no equation.
+    bridge: Option<Bridge>,
 }
 
 impl<'a, S: System + ?Sized> Along<'a, S> {
     /// The step from its start to `length`.
     pub fn new(step: &'a Step, system: &'a mut S, length: f64) -> Along<'a, S> {
         let (n_x, n_out) = (system.states().len(), system.outputs().len());
-        Along { step, system, part: None, length, x: vec![0.0; n_x], all: vec![0.0; n_out], known: Vec::new() }
+        Along { step, system, part: None, length, x: vec![0.0; n_x], all: vec![0.0; n_out], known: Vec::new(), bridge: None }
     }
 
     /// The part of a step between two places; every `tau` counts from the first.
@@ -67,12 +75,82 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
 
     /// All outputs at `tau`; not numbers where they have no value.
     pub fn outputs(&mut self, tau: f64) -> &[f64] {
-        self.step.state_after(self.place(tau), &mut self.x);
-        let t = self.time(tau);
-        if self.system.observe(t, &self.x, &self.step.modes, &mut self.all).is_err() {
-            self.all.fill(f64::NAN);
-        }
+        let mut row = std::mem::take(&mut self.all);
+        let known = self.observe_at(self.place(tau), &mut row);
+        self.bridged(tau, &mut row, known);
+        self.all = row;
         &self.all
+    }
+
+    /// Outputs at a place of the step as the equations give them; false where they give none.
+    fn observe_at(&mut self, place: f64, row: &mut [f64]) -> bool {
+        self.step.state_after(place, &mut self.x);
+        let t = self.step.instant(place).high;
+        let known = self.system.observe(t, &self.x, &self.step.modes, row).is_ok();
+        if !known {
+            row.fill(f64::NAN);
+        }
+        known
+    }
+
+    /// Outputs, and all that is behind them, at a place of the step; false where the equations give none.
+    fn sample_at(&mut self, place: f64, row: &mut Vec<f64>) -> bool {
+        self.step.state_after(place, &mut self.x);
+        let t = self.step.instant(place).high;
+        let known = self.system.sample(t, &self.x, &self.step.modes, row).is_ok();
+        if !known {
+            row.fill(f64::NAN);
+            row.resize(self.all.len() + self.system.behind().width(), f64::NAN);
+        }
+        known
+    }
+
+    /// Replaces what the equations do not give at `tau`, beside a change point or where the coordinates are singular, by what both sides give.
+    fn bridged(&mut self, tau: f64, row: &mut [f64], known: bool) {
+        let place = self.place(tau);
+        let change = self.step.around_change_point(place);
+        if known && change.is_none() {
+            return;
+        }
+        if self.bridge.as_ref().is_none_or(|bridge| !bridge.covers(place)) {
+            let Some(stretch) = change.or_else(|| self.stretch(place)) else { return };
+            let off = self.rounding_at(Bridge::beside(stretch));
+            self.bridge = Bridge::new(stretch, |place| self.side(place)).ok().map(|bridge| bridge.within(off));
+        }
+        let Some(bridge) = self.bridge.as_ref().filter(|bridge| bridge.covers(place)) else { return };
+        let outputs = self.system.outputs().len();
+        for (k, value) in row.iter_mut().enumerate() {
+            // a state is a polynomial whatever the forces are
+            let state = Some(k).filter(|k| *k < outputs).and_then(|k| self.system.state_of(k)).map(|i| self.step.value_after(i, place));
+            *value = state.or_else(|| bridge.value(k, place)).unwrap_or(*value);
+        }
+    }
+
+    /// What is bridged about a place at which nothing has a value, where both sides lie in the step.
+    fn stretch(&self, place: f64) -> Option<[f64; 2]> {
+        let around = AROUND * self.step.length;
+        (place >= 2.0 * around && place + 2.0 * around <= self.step.length).then_some([place, around])
+    }
+
+    /// Rounding of the outputs at a place of the step.
+    fn rounding_at(&mut self, place: f64) -> Vec<f64> {
+        self.step.state_after(place, &mut self.x);
+        let (t, mut row) = (self.step.instant(place).high, Vec::new());
+        // a polynomial is rounded like its terms
+        let size = |i: usize| self.polynomial(i).iter().rev().fold(0.0, |sum, c| sum * self.length + c.abs());
+        let errors: Vec<f64> = (0..self.x.len()).map(|i| f64::EPSILON * size(i)).collect();
+        self.system.rounding((t, &self.x), &self.step.modes, &errors, &mut row);
+        row
+    }
+
+    /// A row beside what is bridged, conditions kept.
+    fn side(&mut self, place: f64) -> Result<Vec<f64>, Fault> {
+        let t = self.step.instant(place).high;
+        self.step.state_after(place, &mut self.x);
+        self.system.project(t, &mut self.x, &self.step.modes)?;
+        let mut row = Vec::new();
+        self.system.sample(t, &self.x, &self.step.modes, &mut row)?;
+        Ok(row)
     }
 
     /// Coefficients of a state.
@@ -125,12 +203,9 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
         if let Some((_, row)) = self.known.iter().find(|(at, _)| *at == tau) {
             return row.clone();
         }
-        self.step.state_after(self.place(tau), &mut self.x);
-        let (t, mut row) = (self.time(tau), Vec::new());
-        if self.system.sample(t, &self.x, &self.step.modes, &mut row).is_err() {
-            row.fill(f64::NAN);
-            row.resize(self.all.len() + self.system.behind().width(), f64::NAN);
-        }
+        let mut row = Vec::new();
+        let known = self.sample_at(self.place(tau), &mut row);
+        self.bridged(tau, &mut row, known);
         if self.known.len() < KNOWN {
             self.known.push((tau, row.clone()));
         }
@@ -138,13 +213,7 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
     }
 
     fn rounding(&mut self, tau: f64) -> Vec<f64> {
-        self.step.state_after(self.place(tau), &mut self.x);
-        let (t, mut row) = (self.time(tau), Vec::new());
-        // a polynomial is rounded like its terms
-        let size = |i: usize| self.polynomial(i).iter().rev().fold(0.0, |sum, c| sum * self.length + c.abs());
-        let errors: Vec<f64> = (0..self.x.len()).map(|i| f64::EPSILON * size(i)).collect();
-        self.system.rounding((t, &self.x), &self.step.modes, &errors, &mut row);
-        row
+        self.rounding_at(self.place(tau))
     }
 
     fn behind(&mut self) -> (usize, Arc<Behind>) {

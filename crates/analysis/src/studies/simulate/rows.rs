@@ -60,7 +60,7 @@ impl Run {
             if !step.is_blind(tau) {
                 system.project(t, &mut self.x, &step.modes)?;
             }
-            match step.at_change_point(tau) {
+            match step.around_change_point(tau) {
                 Some(around) => self.bridge(system, (step, around), t, row)?,
                 None => self.fill(system, t, row, &step.modes)?,
             }

@@ -98,8 +98,14 @@ impl Run {
         self.times.truncate(self.next);
         self.times.push((t, row));
         self.table.resize((row + 1) * self.chosen.len(), f64::NAN);
-        self.fill(system, t, row, &step.modes)?;
         self.next += 1;
+        if let Some(around) = step.around_change_point(tau) {
+            self.bridge(system, (step, around), t, row)?;
+            let n = self.chosen.len();
+            self.extremes.end(&self.table[row * n..(row + 1) * n]);
+            return Ok(());
+        }
+        self.fill(system, t, row, &step.modes)?;
         self.close(system, t, &step.modes);
         Ok(())
     }
