@@ -47,6 +47,13 @@ pub(crate) struct Along<'a, S: ?Sized> {
     bridge: Option<Bridge>,
 }
 
+/// What the equations say at a place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Given {
+    Values,
+    Nothing,
+}
+
 impl<'a, S: System + ?Sized> Along<'a, S> {
     /// The step from its start to `length`.
     pub fn new(step: &'a Step, system: &'a mut S, length: f64) -> Along<'a, S> {
@@ -76,40 +83,40 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
     /// All outputs at `tau`; not numbers where they have no value.
     pub fn outputs(&mut self, tau: f64) -> &[f64] {
         let mut row = std::mem::take(&mut self.all);
-        let known = self.observe_at(self.place(tau), &mut row);
-        self.bridged(tau, &mut row, known);
+        let given = self.observe_at(self.place(tau), &mut row);
+        self.bridged(tau, &mut row, given);
         self.all = row;
         &self.all
     }
 
-    /// Outputs at a place of the step as the equations give them; false where they give none.
-    fn observe_at(&mut self, place: f64, row: &mut [f64]) -> bool {
+    /// Outputs at a place of the step as the equations give them.
+    fn observe_at(&mut self, place: f64, row: &mut [f64]) -> Given {
         self.step.state_after(place, &mut self.x);
         let t = self.step.instant(place).high;
-        let known = self.system.observe(t, &self.x, &self.step.modes, row).is_ok();
-        if !known {
-            row.fill(f64::NAN);
+        if self.system.observe(t, &self.x, &self.step.modes, row).is_ok() {
+            return Given::Values;
         }
-        known
+        row.fill(f64::NAN);
+        Given::Nothing
     }
 
-    /// Outputs, and all that is behind them, at a place of the step; false where the equations give none.
-    fn sample_at(&mut self, place: f64, row: &mut Vec<f64>) -> bool {
+    /// Outputs, and all that is behind them, at a place of the step as the equations give them.
+    fn sample_at(&mut self, place: f64, row: &mut Vec<f64>) -> Given {
         self.step.state_after(place, &mut self.x);
         let t = self.step.instant(place).high;
-        let known = self.system.sample(t, &self.x, &self.step.modes, row).is_ok();
-        if !known {
-            row.fill(f64::NAN);
-            row.resize(self.all.len() + self.system.behind().width(), f64::NAN);
+        if self.system.sample(t, &self.x, &self.step.modes, row).is_ok() {
+            return Given::Values;
         }
-        known
+        row.fill(f64::NAN);
+        row.resize(self.all.len() + self.system.behind().width(), f64::NAN);
+        Given::Nothing
     }
 
     /// Replaces what the equations do not give at `tau`, beside a change point or where the coordinates are singular, by what both sides give.
-    fn bridged(&mut self, tau: f64, row: &mut [f64], known: bool) {
+    fn bridged(&mut self, tau: f64, row: &mut [f64], given: Given) {
         let place = self.place(tau);
         let change = self.step.around_change_point(place);
-        if known && change.is_none() {
+        if given == Given::Values && change.is_none() {
             return;
         }
         if self.bridge.as_ref().is_none_or(|bridge| !bridge.covers(place)) {
@@ -204,8 +211,8 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
             return row.clone();
         }
         let mut row = Vec::new();
-        let known = self.sample_at(self.place(tau), &mut row);
-        self.bridged(tau, &mut row, known);
+        let given = self.sample_at(self.place(tau), &mut row);
+        self.bridged(tau, &mut row, given);
         if self.known.len() < KNOWN {
             self.known.push((tau, row.clone()));
         }
