@@ -30,6 +30,7 @@ pub mod stability;
 pub mod statics;
 pub mod structure_modes;
 pub mod structure_statics;
+mod successors;
 pub mod superposition;
 pub mod swings;
 mod telling;

@@ -1,7 +1,8 @@
 //! Modes followed along a parameter: which mode is which is decided by likeness of shapes, so that curves may cross.
 //!
 //! Between two values the likeness of shapes x, y is |xᴴ M y|² / (xᴴ M x · yᴴ M y) (modal assurance); every mode takes the free successor
-//! that is most like it. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
+//! that is most like it, and where that is not plain, or frequencies pass each other, values between are looked at ([`successors`](super::successors)):
+//! which mode is which does not depend on the number of values. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
 //! multiples of the speed at which the loads act. A frequency is |λ|, a frequency with damping |Im λ|; the lines are those of the latter.
 
 use words::Text;
@@ -13,6 +14,7 @@ use crate::studies::modes::{self, Kind, Mode, Normalisation};
 use crate::studies::response::{Forced, Source};
 use crate::studies::rest::branch::{Branch, Change};
 use crate::studies::rest::changes;
+use crate::studies::successors::{Found, Line};
 use crate::{Fault, Quantity};
 
 /// Modes along a parameter.
@@ -75,13 +77,15 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
         Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new(), barred: Vec::new(), why: None, freedom: 0 };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
-    let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
+    let mut line = Line::new(ends[1] - ends[0]);
+    let (mut anchors, mut grows, mut diverges): (Vec<Line>, Vec<bool>, Vec<bool>) = Default::default();
     for k in 0..points {
         let value = ends[0] + (ends[1] - ends[0]) * k as f64 / (points - 1).max(1) as f64;
         out.values.push(value);
         let Some((list, mass)) = run.known(value)? else {
             out.freedom.push(0);
             // nothing is known here: the tracks go on behind it
+            anchors.push(line.clone());
             grows.push(grows.last().copied().unwrap_or(false));
             diverges.push(false);
             slots.push(Vec::new());
@@ -94,22 +98,23 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
         out.places.push((!run.without.contains(&value)).then(|| run.place.q.clone()));
         grows.push(growing(&list));
         diverges.push(list.iter().any(|m| m.kind == Kind::Divergence));
-        let here =
-            if before.is_empty() { list.into_iter().filter(worth_following).map(Some).collect() } else { matched(&before, list, &mass) };
-        // a mode that is lost for a while keeps its last shape
-        before = here.iter().enumerate().map(|(j, s)| s.clone().or_else(|| before.get(j).cloned().flatten())).collect();
+        let list = list.into_iter().filter(worth_following).collect();
+        let here = line.follow(value, (list, mass), &mut |value| run.followed(value))?;
         slots.push(here);
+        anchors.push(line.clone());
     }
     run.refuse_nothing(&out)?;
-    number(&mut slots, before.len());
+    let count = line.modes().len();
+    let order = number(&mut slots, count);
+    anchors.iter_mut().for_each(|anchor| anchor.reorder(&order));
     let track = |pick: fn(&Mode) -> f64| -> Vec<Vec<f64>> {
         let at = |here: &Vec<Option<Mode>>, j: usize| here.get(j).and_then(Option::as_ref).map_or(f64::NAN, pick);
-        (0..before.len()).map(|j| slots.iter().map(|here| at(here, j)).collect()).collect()
+        (0..count).map(|j| slots.iter().map(|here| at(here, j)).collect()).collect()
     };
     (out.omega, out.damped, out.ratio) = (track(|m| m.omega), track(|m| m.damped), track(|m| m.ratio));
     out.unstable = run.unstable(&out.values, &grows)?;
     out.unstable_from = out.unstable.first().map(|r| r[0]);
-    out.critical = run.critical(&out, &slots)?;
+    out.critical = run.critical(&out, &anchors)?;
     out.data = dataset(&out, &quantity, &diverges);
     out.changes = run.branch.changes();
     changes::add_columns(&mut out.data, &out.places, &coordinates);
@@ -117,18 +122,14 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
     out.data.notes.extend(runs_along(&run.along));
     out.data.notes.extend(run.missing(&quantity, &out));
     out.data.notes.extend(run.without_modes(&quantity, &out));
-    if run.cells > CELLS {
-        out.data.notes.push(Text::new(
-            "critical speeds are not all located: modes begin and cease to oscillate at random within rounding (a double root, an inertia that is all but zero)",
-            "критические скорости найдены не все: формы начинают и перестают колебаться случайно, в пределах округления (кратный корень, почти нулевая инерция)",
-        ));
-    }
+    out.data.notes.extend(line.note(&quantity));
+    out.data.notes.extend(run.unlocated());
     Ok(out)
 }
 
 /// Numbers the tracks by the first value at which they differ: frequencies that are equal at the first value (forward and backward whirl at
 /// rest) part in the order of the modes there.
-fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
+fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) -> Vec<usize> {
     let at = |here: &[Option<Mode>], j: usize| here.get(j).and_then(Option::as_ref).map(|m| m.omega);
     let order = |a: usize, b: usize| {
         for here in slots.iter() {
@@ -147,6 +148,7 @@ fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
     for here in slots {
         *here = list.iter().map(|j| here.get(*j).cloned().flatten()).collect();
     }
+    list
 }
 
 /// Code of an equilibrium that is not found.
@@ -188,9 +190,6 @@ fn growing(list: &[Mode]) -> bool {
 fn worth_following(mode: &Mode) -> bool {
     mode.kind == Kind::Oscillation || mode.kind == Kind::RigidBody
 }
-
-/// Modes, and M.
-type Found = (Vec<Mode>, Vec<f64>);
 
 /// Which end of a range of growth is sought.
 #[derive(Clone, Copy, PartialEq)]
@@ -234,6 +233,11 @@ impl Run<'_> {
         }
     }
 
+    /// Those that are followed along the parameter.
+    fn followed(&mut self, value: f64) -> Result<Option<Found>, Fault> {
+        Ok(self.known(value)?.map(|(list, mass)| (list.into_iter().filter(worth_following).collect(), mass)))
+    }
+
     /// The place of rest at a value. Where there is none, as at a value at which det K = 0 and the equilibrium runs away, the last place serves for a machine
     /// whose matrices are the same everywhere.
     fn settle(&mut self, value: f64) -> Result<(), Fault> {
@@ -267,6 +271,16 @@ impl Run<'_> {
             )
         };
         groups.map(|group| without_rest(group, parameter, roots)).collect()
+    }
+
+    /// That critical speeds are missing.
+    fn unlocated(&self) -> Option<Text> {
+        (self.cells > CELLS).then(|| {
+            Text::new(
+                "critical speeds are not all located: modes begin and cease to oscillate at random within rounding (a double root, an inertia that is all but zero)",
+                "критические скорости найдены не все: формы начинают и перестают колебаться случайно, в пределах округления (кратный корень, почти нулевая инерция)",
+            )
+        })
     }
 
     /// *Errors*: why there are no modes, where no value of the table has some.
@@ -353,7 +367,7 @@ impl Run<'_> {
 
     /// Crossings with the lines ω = order·Ω: between values where the number of modes above the line changes, and where a mode comes so near to
     /// the line between them that it may cross it twice.
-    fn critical(&mut self, tracks: &Tracks, slots: &[Vec<Option<Mode>>]) -> Result<Vec<Critical>, Fault> {
+    fn critical(&mut self, tracks: &Tracks, anchors: &[Line]) -> Result<Vec<Critical>, Fault> {
         let mut out = Vec::new();
         for order in &tracks.orders {
             let mut places = Vec::new();
@@ -377,7 +391,7 @@ impl Run<'_> {
             // one place between two steps, found from both
             places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
             for value in places {
-                out.push(Critical { mode: self.which(value, *order, (tracks, slots))?, value, order: *order });
+                out.push(Critical { mode: self.which(value, *order, (tracks, anchors))?, value, order: *order });
             }
         }
         Ok(out)
@@ -393,14 +407,12 @@ impl Run<'_> {
         changes.iter().any(there) && !self.above(speed, order).ok().flatten().is_some_and(met)
     }
 
-    /// The track that meets the line ω = order·Ω at a speed: the modes there are matched with those at the neighbouring value by their shapes.
-    fn which(&mut self, speed: f64, order: f64, (tracks, slots): (&Tracks, &[Vec<Option<Mode>>])) -> Result<usize, Fault> {
-        let (list, mass) = self.modes(speed)?;
+    /// The track that meets the line ω = order·Ω at a speed: the modes are followed there from the neighbouring value.
+    fn which(&mut self, speed: f64, order: f64, (tracks, anchors): (&Tracks, &[Line])) -> Result<usize, Fault> {
+        let Some(found) = self.followed(speed)? else { return Ok(0) };
         let near = |a: &usize, b: &usize| (tracks.values[*a] - speed).abs().total_cmp(&(tracks.values[*b] - speed).abs());
         let k = (0..tracks.values.len()).min_by(near).unwrap_or(0);
-        // tracks that are lost at that value are known by their last shape
-        let known = (0..tracks.omega.len()).map(|j| slots[..=k].iter().rev().find_map(|here| here.get(j).cloned().flatten()));
-        let here = matched(&known.collect::<Vec<_>>(), list, &mass);
+        let here = anchors[k].clone().follow(speed, found, &mut |value| self.followed(value))?;
         let off =
             |m: &Option<Mode>| m.as_ref().filter(|m| m.damped > 0.0).map_or(f64::INFINITY, |m| (m.damped - order * speed.abs()).abs());
         Ok((0..here.len()).min_by(|a, b| off(&here[*a]).total_cmp(&off(&here[*b]))).unwrap_or(0))
@@ -504,47 +516,6 @@ const APART: f64 = 1e-6;
 const STANDS: f64 = 1e-12;
 /// Cells that are halved at most; a hundred critical speeds need six thousand.
 const CELLS: usize = 20_000;
-
-/// Successors in the order of their predecessors.
-fn matched(before: &[Option<Mode>], list: Vec<Mode>, mass: &[f64]) -> Vec<Option<Mode>> {
-    let list: Vec<Mode> = list.into_iter().filter(worth_following).collect();
-    let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
-    for (i, old) in before.iter().enumerate() {
-        let Some(old) = old else { continue };
-        for (j, new) in list.iter().enumerate() {
-            // shapes that are equally alike are told apart by frequency
-            let distance = (old.damped - new.damped).abs() / (old.damped + new.damped).max(f64::MIN_POSITIVE);
-            pairs.push((likeness(&old.shape, &new.shape, mass) - distance, i, j));
-        }
-    }
-    pairs.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    let mut slots: Vec<Option<usize>> = vec![None; before.len()];
-    let mut taken = vec![false; list.len()];
-    for (_, i, j) in pairs {
-        if slots[i].is_none() && !taken[j] {
-            slots[i] = Some(j);
-            taken[j] = true;
-        }
-    }
-    let mut out: Vec<Option<Mode>> = slots.into_iter().map(|s| s.map(|j| list[j].clone())).collect();
-    // modes that begin to oscillate get a track of their own
-    out.extend((0..list.len()).filter(|&j| !taken[j]).map(|j| Some(list[j].clone())));
-    out
-}
-
-/// |xᴴ M y|² / (xᴴ M x · yᴴ M y).
-fn likeness(x: &[modes::Complex], y: &[modes::Complex], mass: &[f64]) -> f64 {
-    let n = x.len();
-    let product = |a: &[modes::Complex], b: &[modes::Complex]| -> (f64, f64) {
-        let term = |p: usize| {
-            let (u, v) = (a[p / n], b[p % n]);
-            (mass[p] * (u.0 * v.0 + u.1 * v.1), mass[p] * (u.0 * v.1 - u.1 * v.0))
-        };
-        (0..n * n).map(term).fold((0.0, 0.0), |s, t| (s.0 + t.0, s.1 + t.1))
-    };
-    let (xy, xx, yy) = (product(x, y), product(x, x).0, product(y, y).0);
-    if xx * yy > 0.0 { (xy.0 * xy.0 + xy.1 * xy.1) / (xx * yy) } else { 0.0 }
-}
 
 fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset {
     let mut data = Dataset { axis: Some(0), ..Dataset::default() };
