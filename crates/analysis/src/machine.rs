@@ -693,6 +693,10 @@ impl System for Machine {
         self.conditions.as_mut()?.margin(t, x)
     }
 
+    fn reaches(&mut self, t: f64, x: &[f64]) -> Vec<(usize, [f64; 2])> {
+        self.conditions.as_mut().and_then(|conditions| conditions.reaches(t, x)).unwrap_or_default()
+    }
+
     fn polish(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<(), Fault> {
         match &mut self.conditions {
             Some(conditions) => conditions.polish(t, x, modes),

@@ -325,6 +325,13 @@ pub trait System {
         None
     }
 
+    /// Sizes of what meets in the gaps and in the rates of contacts and frictions at (t, x), by guard: what is small beside them is rounding at a start. Empty where
+    /// nothing is known. Does not disturb the last expansion.
+    fn reaches(&mut self, t: f64, x: &[f64]) -> Vec<(usize, [f64; 2])> {
+        let _ = (t, x);
+        Vec::new()
+    }
+
     /// Closes the conditions to the last digits, where [`System::project`] leaves alone what is rounding.
     ///
     /// *Errors*: those of [`System::project`].

@@ -255,6 +255,26 @@ impl Conditions {
         self.column(row).iter().zip(&self.angles).map(|(j, angle)| j.abs() * if *angle { 1.0 } else { largest }).sum()
     }
 
+    /// What the places and rates of contacts and frictions are compared with at a start, by guard: their levers times the largest of what moves on them. Metres and
+    /// radians are no sizes of each other; an angle counts as one radian.
+    pub(super) fn reaches(&mut self, t: f64, x: &[f64]) -> Option<Vec<(usize, [f64; 2])>> {
+        self.evaluate(t, x).ok()?;
+        let (q, rates) = (&x[..self.n], &x[self.n..2 * self.n]);
+        let fastest = |turning: bool| {
+            let alike = rates.iter().zip(&self.angles).filter(|(_, angle)| **angle == turning);
+            alike.fold(0.0_f64, |m, (v, _)| m.max(v.abs()))
+        };
+        let [along, turning] = [false, true].map(fastest);
+        let rate = |row: usize| -> f64 {
+            self.column(row).iter().zip(&self.angles).map(|(j, angle)| j.abs() * if *angle { turning } else { along }).sum()
+        };
+        let one = |(row, held): (usize, &Row)| match held.holds {
+            Holds::Sticking(guard, _) | Holds::Closed(guard, _) => Some((guard, [self.place_size(row, q), rate(row)])),
+            Holds::Always | Holds::Rough(_) => None,
+        };
+        Some(self.rows.iter().enumerate().filter_map(one).collect())
+    }
+
     /// Terms that meet in its rate.
     pub(super) fn rate_size(&self, row: usize, rates: &[f64]) -> f64 {
         let moved: f64 = self.column(row).iter().zip(rates).map(|(j, v)| j.abs() * v.abs()).sum();

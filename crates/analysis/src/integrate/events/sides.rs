@@ -51,8 +51,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn sides_at_start(&mut self) -> Result<(), Fault> {
         let n = self.system.n_coordinates();
         let largest = |part: &[f64]| part.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let (places, rates) = (largest(&self.x[..n]), largest(&self.x[n..2 * n]));
+        let all = [largest(&self.x[..n]), largest(&self.x[n..2 * n])];
+        let known = self.system.reaches(self.now.high, &self.x);
         for i in 0..self.modes.len() {
+            let [places, rates] = known.iter().find(|(guard, _)| *guard == i).map_or(all, |(_, sizes)| *sizes);
             let guard = &self.system.guards()[i];
             let (around, contact) = match guard.kind {
                 GuardKind::Friction { .. } => (rates, false),
