@@ -496,7 +496,7 @@ fn settled_phase<S: System + ?Sized>(
     x.iter_mut().zip(carried).for_each(|(x, v)| *x -= v * whole);
     let settled = x.clone();
     // the phase of many periods carries a rounding by which what lies on a shaken table would begin inside it
-    if system.project(0.0, &mut x, &modes).is_err() {
+    if system.project(0.0, &mut x, &modes).and_then(|_| system.polish(0.0, &mut x, &modes)).is_err() {
         return Ok(settled);
     }
     Ok(x)
