@@ -263,6 +263,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     }
     results.own.insert("read_anew".into(), json!(start.anew + rows.anew));
     data.notes.extend(named(machine, study, base, results));
+    data.notes.extend(repeat::without_impulses(machine, wanted));
     if results.plots.is_empty() && study.over.len() == 1 {
         results.plots = rows.columns[rows.own..].iter().map(drawn).collect();
     }

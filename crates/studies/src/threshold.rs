@@ -189,6 +189,7 @@ fn threshold(machine: &mut Machine, asked: &Asked, results: &mut Results, watch:
     let held = digits::held(&mut follow, [below, above], digits)?;
 
     let mut data = Dataset { notes: held.notes(&parameter, digits), audits: held.audits(), ..Dataset::default() };
+    data.notes.extend(follow.without_impulses());
     let shown = follow.written(value, digits);
     facts(results, (&parameter, digits), (value, [below, above]), &follow);
     results.plots = motions::beside(&mut follow, ([below, above], &shown), &mut data)?;

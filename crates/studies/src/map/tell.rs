@@ -60,6 +60,7 @@ pub(super) fn mapped(
             told.words(&repeated, results);
             told.boundaries(results);
             data.notes.extend(told.notes());
+            data.notes.extend(crate::repeat::without_impulses(machine, &repeated.noted));
             let tongues = diagram.as_ref().map(|plane| tongues::found(plane, ranges.clone().map(|range| ends(&range))));
             if let (Some(plane), Some(found)) = (&diagram, &tongues) {
                 tongues::tell(&[0, 1].map(|k| told.quantity(k)), plane, found, results);

@@ -21,4 +21,4 @@ pub use keys::{OF, inner, keys, quantity};
 pub use number::number;
 pub use one::{At, one};
 pub use repeated::Repeated;
-pub use wanted::{Noted, noted};
+pub use wanted::{Noted, noted, without_impulses};

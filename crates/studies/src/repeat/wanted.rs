@@ -5,7 +5,8 @@ use crate::Finds;
 use crate::machine::Machine;
 use crate::observable::{Observable, Reduced};
 use crate::periodic;
-use analysis::{Quantity, System};
+use analysis::reduce::Reduction;
+use analysis::{GuardKind, Quantity, System};
 use words::{Notice, Text};
 
 /// A number that is noted, and the quantity that its column shows.
@@ -56,6 +57,32 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
         found.push((Quantity::new("period", "1"), Observable::field("period")));
     }
     Ok(found)
+}
+
+/// That means of forces leave out what strikes, where one is noted and something can strike.
+pub fn without_impulses(machine: &Machine, noted: &[Noted]) -> Option<Text> {
+    let strikes = machine.system.guards().iter().any(|guard| matches!(guard.kind, GuardKind::Contact { .. }));
+    let equations = &machine.equations;
+    let is_force = |name: &str| {
+        let of_reactions = |formula| equations.graph.contains(formula, |s| equations.reactions.iter().any(|r| r.symbol == s));
+        equations.outputs.iter().any(|output| output.name == name && of_reactions(output.formula))
+    };
+    let mut names: Vec<&str> = Vec::new();
+    for (_, observable) in noted.iter().filter(|_| strikes) {
+        match observable {
+            Observable::Reduced(Reduced { reduction: Reduction::Mean, of, .. }) if is_force(of) && !names.contains(&of.as_str()) => {
+                names.push(of);
+            }
+            _ => {}
+        }
+    }
+    let list = names.join(", ");
+    (!names.is_empty()).then(|| {
+        Text::new(
+            format!("the mean of {list} is that of the force between impacts: impulses are no part of it and stand in the events of each motion"),
+            format!("среднее {list} — это среднее силы между ударами: ударные импульсы в него не входят, они указаны в событиях каждого движения"),
+        )
+    })
 }
 
 /// Whether something of that name can change: a named event, a contact, a rope, a friction.

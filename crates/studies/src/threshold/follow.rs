@@ -4,7 +4,7 @@ use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::observable::Observable;
 use crate::repeat::regimes;
-use crate::repeat::{Asks, At, Repeated, number, one};
+use crate::repeat::{Asks, At, Repeated, number, one, without_impulses};
 use crate::results::Results;
 use crate::simulate::{self, Simulate};
 use crate::watch::Watch;
@@ -225,6 +225,11 @@ impl<'a, 'w> Follow<'a, 'w> {
     /// The number as it is observed.
     pub(super) fn observed(&self) -> String {
         self.repeated.noted.first().map_or_else(String::new, |(_, observable)| observable.to_string())
+    }
+
+    /// That the mean of a force leaves out impacts.
+    pub(super) fn without_impulses(&self) -> Option<Text> {
+        without_impulses(&self.at.machine, &self.repeated.noted)
     }
 
     /// The quantity that is made into the number.
