@@ -3,6 +3,7 @@
 mod places;
 mod sliding;
 
+pub(crate) use places::springing_back;
 pub(crate) use sliding::order;
 
 use super::common::component::Component;

@@ -103,4 +103,18 @@ pub const RUBBING: &[Explanation] = &[
         "[rolling.R]\nbody = \"b\"\nradius = \"R\"\n[frictions.f]\nat = \"R\"\ncoefficient = 0.1\n[frictions.g]\nat = \"R\"\ncoefficient = 0.2",
         "[rolling.R]\nbody = \"b\"\nradius = \"R\"\n[frictions.f]\nat = \"R\"\ncoefficient = 0.1\n[frictions.g]\nat = \"R\"\nlever = \"1 mm\"",
     ),
+    row(
+        "M145",
+        ("a rope that springs back over a rough drum", "отскакивающий канат на шероховатом барабане"),
+        (
+            "A rope that tightens with a blow and springs back (restitution above 0) leaves the strands before and behind the drum with different speeds. How the \
+             rebound is shared depends on how each strand stretches, which a rope without mass and stretch does not know; the friction would be that of one strand \
+             or the other, by the order of the path. Without rebound both strands have one speed.",
+            "Канат, который натягивается рывком и отскакивает (restitution больше 0), оставляет ветвям до и после барабана разные скорости. Доли отскока зависят от \
+             растяжимости ветвей, которой у невесомого нерастяжимого каната нет; трение определялось бы той или другой ветвью — порядком точек пути. Без отскока \
+             у обеих ветвей одна скорость.",
+        ),
+        "[ropes.R]\npath = [\"A\", \"P\", \"ground\"]\nrestitution = 0.5\n[frictions.f]\nrope = \"R\"\nover = \"P\"\ncoefficient = 0.2",
+        "[ropes.R]\npath = [\"A\", \"P\", \"ground\"]\n[frictions.f]\nrope = \"R\"\nover = \"P\"\ncoefficient = 0.2",
+    ),
 ];

@@ -2,7 +2,7 @@
 
 use crate::connections::common::reading::{pathway, point_named, size};
 use crate::formula::{Context, Kind, shared};
-use crate::model::{Aim, PointRef, Slides};
+use crate::model::{Aim, Connection, ConnectionKind, PointRef, Reliance, Slides};
 use crate::reader::names::names;
 use crate::reader::names::{frame_by_name, frame_named, two_names};
 use crate::reader::{Fields, Reader, components};
@@ -239,4 +239,31 @@ fn foreign(fields: &Fields, key: &'static str) -> Notice {
 /// What the normal force of the contact is to the friction: N for a force, the lever for a moment, a number for the pin and the rope.
 pub(super) fn coefficient(slides: &Slides) -> Dimension {
     if matches!(slides, Slides::Rolls { .. }) { Dimension::LENGTH } else { Dimension::NONE }
+}
+
+/// A rope that springs back has strands of different speeds before and behind the drum, and no law says with which of them it slides there.
+pub(crate) fn springing_back(reader: &mut Reader<'_>, connections: &[Connection]) {
+    for friction in connections {
+        let ConnectionKind::Friction { slides: Slides::Belt { of, .. }, .. } = &friction.kind else { continue };
+        let ConnectionKind::Rope { slack: true, restitution, .. } = &connections[*of].kind else { continue };
+        if reader.number_of_for(*restitution, Reliance::Share).is_none_or(|e| e == 0.0) {
+            continue;
+        }
+        let (name, rope) = (&friction.name, &connections[*of].name);
+        let fault = Notice::piece(
+            "M145",
+            friction.span.clone(),
+            format!("`frictions.{name}` rubs on a drum under `{rope}`, which springs back when it tightens (`restitution`)"),
+            format!("`frictions.{name}`: канат `{rope}` трётся о барабан и при натяжении отскакивает (`restitution`)"),
+        )
+        .why(
+            "springing back the strands before and behind the drum have different speeds, and how they share the rebound depends on their stretching",
+            "при отскоке ветви до и после барабана имеют разные скорости, а доли отскока зависят от растяжимости ветвей",
+        )
+        .help(
+            "restitution = 0, or two ropes with springs and dampers in their place",
+            "задайте restitution = 0 либо замените ветви пружинами с демпферами",
+        );
+        reader.fault(fault);
+    }
 }

@@ -7,6 +7,7 @@ pub(super) use distributed::distributed;
 pub(super) use kept::{Places, warn};
 
 use super::structures::Owner;
+use crate::connections::frictions::springing_back;
 use crate::connections::{Space, TABLE, choose};
 use crate::formula::Kind;
 use crate::model::Connection;
@@ -46,6 +47,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space)
             connections.push(Connection { name, table, label, kind: found.kind, unit, span: fields.span.clone() });
         }
     }
+    springing_back(reader, &connections);
     connections
 }
 
