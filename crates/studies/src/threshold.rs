@@ -189,6 +189,9 @@ fn threshold(machine: &mut Machine, asked: &Asked, results: &mut Results, watch:
     let held = digits::held(&mut follow, [below, above], digits)?;
 
     let mut data = Dataset { notes: held.notes(&parameter, digits), audits: held.audits(), ..Dataset::default() };
+    let (checks, doubt) = follow.checks();
+    data.audits.extend(checks);
+    data.notes.extend(doubt);
     data.notes.extend(follow.without_impulses());
     let shown = follow.written(value, digits);
     facts(results, (&parameter, digits), (value, [below, above]), &follow);

@@ -200,13 +200,13 @@ pub(crate) fn partly_absent(columns: &[Column], said: &[(String, Text)]) -> Vec<
 }
 
 /// The checks of all runs.
-fn judged(failed: usize) -> Audit {
+pub(crate) fn judged(failed: usize) -> Audit {
     let name = Text::new("repeated studies of which a check failed", "повторённых расчётов, в которых не выполнена проверка");
     Audit::at_most("repeated", name, failed as f64, 0.0)
 }
 
 /// The first run of which a check failed.
-fn doubt(values: &[(String, f64)], audit: &Audit) -> Text {
+pub(crate) fn doubt(values: &[(String, f64)], audit: &Audit) -> Text {
     let shown: Vec<(String, Text)> = values.iter().map(|(name, value)| (name.clone(), words::digits::rounded(*value))).collect();
     let list =
         |pick: fn(&Text) -> &str| shown.iter().map(|(name, value)| format!("{name} = {}", pick(value))).collect::<Vec<_>>().join(", ");

@@ -3,11 +3,13 @@
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::observable::Observable;
+use crate::repeat::gathered::{doubt, judged};
 use crate::repeat::regimes;
 use crate::repeat::{Asks, At, Repeated, number, one, without_impulses};
 use crate::results::Results;
 use crate::simulate::{self, Simulate};
 use crate::watch::Watch;
+use analysis::dataset::Audit;
 use analysis::studies::threshold::Side;
 use analysis::{Dataset, Quantity};
 use std::sync::atomic::Ordering;
@@ -45,6 +47,10 @@ pub(super) struct Follow<'a, 'w> {
     pub(super) evaluations: usize,
     /// Runs that are to be expected.
     expected: usize,
+    /// Runs that were checked, those of which a check failed, and the first of these.
+    checked: usize,
+    failed: usize,
+    doubtful: Option<(f64, Audit)>,
     pub(super) watch: &'a mut Watch<'w>,
 }
 
@@ -59,7 +65,7 @@ impl<'a, 'w> Follow<'a, 'w> {
         if repeated.noted.len() > 1 && judge != Judge::Regimes {
             return Err(which(asks.observe));
         }
-        Ok(Follow { parameter, judge, before: None, seen: Vec::new(), repeated, at: At::of(machine), evaluations: 0, expected: 0, watch })
+        Ok(Follow { parameter, judge, before: None, seen: Vec::new(), repeated, at: At::of(machine), evaluations: 0, expected: 0, checked: 0, failed: 0, doubtful: None, watch })
     }
 
     /// How many runs are to be expected.
@@ -73,9 +79,9 @@ impl<'a, 'w> Follow<'a, 'w> {
         let results = self.run(place)?;
         let mut numbers = Vec::with_capacity(self.repeated.noted.len());
         for (_, wanted) in &self.repeated.noted {
-            let value = number(&results, wanted).map_err(|trouble| self.failed(place, trouble))?.0;
+            let value = number(&results, wanted).map_err(|trouble| self.without_result(place, trouble))?.0;
             if !value.is_finite() {
-                return Err(self.failed(place, no_value(&wanted.to_string())));
+                return Err(self.without_result(place, no_value(&wanted.to_string())));
             }
             numbers.push((wanted.to_string(), value));
         }
@@ -137,7 +143,20 @@ impl<'a, 'w> Follow<'a, 'w> {
             progress((self.evaluations as f64 / self.expected.max(self.evaluations + 1) as f64).min(1.0));
         }
         let values = [(self.parameter.name.clone(), place)];
-        one(self.at.forgetful(), &self.repeated, &values, self.watch).map_err(|trouble| self.failed(place, trouble))
+        let results = one(self.at.forgetful(), &self.repeated, &values, self.watch).map_err(|trouble| self.without_result(place, trouble))?;
+        let audits = &results.data.audits;
+        self.checked += usize::from(!audits.is_empty());
+        if let Some(audit) = audits.iter().find(|audit| !audit.ok) {
+            self.failed += 1;
+            self.doubtful.get_or_insert_with(|| (place, audit.clone()));
+        }
+        Ok(results)
+    }
+
+    /// The checks of all runs, and where the first one failed.
+    pub(super) fn checks(&self) -> (Option<Audit>, Option<Text>) {
+        let first = self.doubtful.as_ref().map(|(place, audit)| doubt(&[(self.parameter.name.clone(), *place)], audit));
+        ((self.checked > 0).then(|| judged(self.failed)), first)
     }
 
     /// The motion at a value of the parameter, row by row.
@@ -148,7 +167,7 @@ impl<'a, 'w> Follow<'a, 'w> {
             let results = simulate::motion(machine, study, &mut Watch { interrupt: self.watch.interrupt, ..Watch::default() });
             results.trouble.map_or(Ok(results.data), Err)
         });
-        done.map_err(|trouble| self.failed(place, trouble))
+        done.map_err(|trouble| self.without_result(place, trouble))
     }
 
     /// On which side of the change a motion is, for a legend.
@@ -159,7 +178,7 @@ impl<'a, 'w> Follow<'a, 'w> {
     }
 
     /// The trouble of a study at one of the values.
-    pub(super) fn failed(&self, place: f64, trouble: Notice) -> Notice {
+    pub(super) fn without_result(&self, place: f64, trouble: Notice) -> Notice {
         let value = self.typed(place);
         let name = &self.parameter.name;
         let Notice { message, .. } = trouble;
