@@ -167,6 +167,19 @@ impl Small {
     }
 }
 
+/// A rate below this, in scales a second, is rounding of a projection.
+const STILL: f64 = 1e-9;
+
+/// Whether connections let the machine rest: a condition on rates may ask for motion at the place.
+fn may_rest(machine: &mut Machine, x: &[f64], scales: &[f64]) -> Result<bool, Fault> {
+    if machine.margin(0.0, x).is_none() {
+        return Ok(true);
+    }
+    let (n, modes, mut there) = (machine.n_coordinates(), modes(machine, x), x.to_vec());
+    machine.project(0.0, &mut there, &modes)?;
+    Ok((n..2 * n).all(|i| there[i].abs() <= STILL * scales[i]))
+}
+
 impl Zeros for Rests<'_> {
     fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
         let last = y.len() - 1;
@@ -176,6 +189,9 @@ impl Zeros for Rests<'_> {
         let (machine, _) = self.family.at(y[last])?;
         let n = machine.n_coordinates();
         let scales = scales(machine, &self.sizes);
+        if !may_rest(machine, x, &scales)? {
+            return Err(nowhere());
+        }
         let small = Small::at(machine, x, (&scales, &self.clocks))?;
         let multipliers = roots(small.free.len(), &small.matrix(&scales))?;
         let facts = Facts {
