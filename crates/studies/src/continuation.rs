@@ -111,14 +111,14 @@ static KIND: Kind = Kind::new(
         "second",
         Takes::Stretch,
         (
-            "a second parameter, along which the folds and period doublings of the branches are followed: name=from..to",
-            "второй параметр, вдоль которого прослеживаются складки и удвоения периода: имя=от..до",
+            "a second parameter, along which the folds, period doublings, Hopf and torus points of the branches are followed: name=from..to",
+            "второй параметр, вдоль которого прослеживаются складки, удвоения периода, точки Хопфа и рождения тора: имя=от..до",
         ),
         "\"F=0.1 N..2 N\"",
     )
     .option(
-        "A second parameter for curves of folds and period doublings: \"F=0.1 N..2 N\"",
-        "Второй параметр для кривых складок и удвоений периода: \"F=0.1 Н..2 Н\"",
+        "A second parameter for curves of special points: \"F=0.1 N..2 N\"",
+        "Второй параметр для кривых особых точек: \"F=0.1 Н..2 Н\"",
     )
     .way(Way::Written),
     TOLERANCE,
@@ -241,8 +241,8 @@ fn beside(machine: &Machine, second: &Beside) -> Result<Second, Notice> {
         );
         return Err(fault
             .why(
-                "curves begin at the folds and period doublings of the branches, which have the value of the file",
-                "кривые начинаются в складках и удвоениях периода ветвей, а ветви построены при значении из файла",
+                "curves begin at special points of the branches, which have the value of the file",
+                "кривые начинаются в особых точках ветвей, а ветви построены при значении из файла",
             )
             .help(
                 format!("take a range with that value, or another value: --set {name}=..."),

@@ -45,8 +45,8 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
     }
     if diagram.creases.is_empty() && diagram.lone.is_empty() {
         results.words.push(Text::new(
-            "There is no fold and no period doubling to follow over the second parameter.",
-            "Складок и удвоений периода, которые можно проследить вдоль второго параметра, нет.",
+            "There is no fold, period doubling, Hopf or torus point to follow over the second parameter.",
+            "Складок, удвоений периода, точек Хопфа и рождения тора, которые можно проследить вдоль второго параметра, нет.",
         ));
     }
     for k in &diagram.lone {
@@ -99,8 +99,12 @@ fn about(machine: &Machine, (study, second): (&Branched, &Beside), (k, crease): 
     let (p, s) = (symbol(machine, &study.name), symbol(machine, &second.name));
     let why: Vec<Text> = crease.curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
     let list = |pick: fn(&Text) -> &str| why.iter().map(pick).collect::<Vec<_>>().join("; ");
-    let (en, ru) =
-        if crease.what == What::Doubling { ("period doublings", "удвоений периода") } else { ("folds", "складок") };
+    let (en, ru) = match crease.what {
+        What::Doubling => ("period doublings", "удвоений периода"),
+        What::Hopf => ("Hopf points", "точек бифуркации Хопфа"),
+        What::Torus => ("torus points", "точек рождения тора"),
+        _ => ("folds", "складок"),
+    };
     let comma = |text: &str| text.replace('.', ",");
     let (pu, su) = (printed(&study.name, Language::En), printed(&second.name, Language::En));
     let (pr, sr) = (printed(&study.name, Language::Ru), printed(&second.name, Language::Ru));
@@ -152,7 +156,12 @@ impl Chart {
             let values = self.curves.iter().flat_map(|(_, points)| points.iter().map(move |p| p[i])).collect();
             Axis::of_columns(&[&Column { quantity: self.axes[i].clone(), values }])
         };
-        let kinds = [(What::Fold, Text::new("folds", "складки")), (What::Doubling, Text::new("period doublings", "удвоения периода"))];
+        let kinds = [
+            (What::Fold, Text::new("folds", "складки")),
+            (What::Doubling, Text::new("period doublings", "удвоения периода")),
+            (What::Hopf, Text::new("Hopf points", "бифуркации Хопфа")),
+            (What::Torus, Text::new("torus points", "рождение тора")),
+        ];
         let there = |what: What| self.curves.iter().any(|(of, _)| *of == what);
         // the first is drawn solid, the second dashed, whether the first is there or not
         let series = kinds.into_iter().filter(|(what, _)| *what == What::Fold || there(*what)).map(|(what, label)| {
@@ -167,8 +176,8 @@ impl Chart {
             }
         });
         let [p, s] = [0, 1].map(|i| self.axes[i].symbol.clone());
-        let title = language
-            .pick(format!("Folds and period doublings over {p} and {s}"), format!("Складки и удвоения периода на плоскости {p}, {s}"));
+        let title =
+            language.pick(format!("Curves of special points over {p} and {s}"), format!("Кривые особых точек на плоскости {p}, {s}"));
         Figure {
             name: "folds".into(),
             title: title.into(),

@@ -101,4 +101,14 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
              кратны друг другу, малые колебания смешивают такие формы и отдельной формы нет.",
         ),
     ),
+    plain(
+        "S166",
+        ("no periodic motion by collocation", "коллокация не находит периодического движения"),
+        (
+            "Where multipliers are so large that a whole period keeps no digits of its start, `continue` finds its points by collocation: the motion is put together of polynomials on a mesh. That is for smooth motions; where a \
+             contact, a dry friction or a change of formula switches on the way, or the polynomials do not settle, the branch ends there.",
+            "Если мультипликаторы так велики, что за период теряются все знаки начальных условий, `continue` находит точки коллокацией: движение составляется из многочленов на сетке. Это возможно для гладких движений; если на пути \
+             переключается контакт, сухое трение или формула либо многочлены не сходятся, ветвь там обрывается.",
+        ),
+    ),
 ];

@@ -21,7 +21,20 @@ pub(super) fn name(what: What) -> Text {
             "turn: the second parameter is extreme on the curve, and two points of it at other values meet there",
             "поворот кривой: второй параметр на ней экстремален, здесь сливаются две её точки",
         ),
+        What::BogdanovTakens => Text::new(
+            "Bogdanov-Takens point: the frequency falls to zero, two roots are 0",
+            "точка Богданова — Такенса: частота обращается в нуль, два корня равны 0",
+        ),
+        What::Resonance(order) => resonance(order),
     }
+}
+
+/// Order of a strong resonance.
+fn resonance(order: usize) -> Text {
+    Text::new(
+        format!("strong resonance 1:{order}: the pair is e^(±2πi/{order})"),
+        format!("сильный резонанс 1:{order}: пара мультипликаторов e^(±2πi/{order})"),
+    )
 }
 
 /// Why a branch ends.
@@ -31,6 +44,10 @@ pub(super) fn end_in_words(machine: &Machine, end: &End) -> Text {
         End::Left => text("the range ends", "конец промежутка"),
         End::Closed => text("it closes", "ветвь замыкается"),
         End::Joins => text("it joins another branch", "ветвь приходит на другую ветвь"),
+        End::Meets(what) => {
+            let met = name(*what);
+            Text::new(format!("{}; beyond it the pair is real", met.en), format!("{}; за ней пара действительна", met.ru))
+        }
         End::Points => text("the number of points is used up (`points`)", "исчерпано число точек (`points`)"),
         End::Interrupted => text("interrupted", "прервано"),
         End::Rests => text("the motion shrinks to a place of rest", "движение стягивается к положению равновесия"),
@@ -42,6 +59,19 @@ pub(super) fn end_in_words(machine: &Machine, end: &End) -> Text {
             "its period grows without bound: the motion comes ever nearer to an unstable place of rest (a homoclinic or heteroclinic motion)",
             "период неограниченно растёт: движение подходит всё ближе к неустойчивому положению равновесия (гомоклиническое или гетероклиническое движение)",
         ),
+        End::Winds(limit) => {
+            let en = report::number::short(*limit, 9, Language::En);
+            let ru = en.replace('.', ",");
+            Text::new(
+                format!(
+                    "the parameter winds towards {en} while the period grows: folds without end lead to a homoclinic motion of a place of rest that oscillates (Shilnikov)"
+                ),
+                format!(
+                    "параметр, колеблясь, приближается к {ru}, а период растёт: бесконечная последовательность складок ведёт к гомоклиническому движению положения равновесия с колебаниями (Шильников)"
+                ),
+            )
+        }
+        End::Outgrown => text("another method goes on from there", "далее прослеживается другим способом"),
         End::Stuck(step, fault) => {
             let en = report::number::short(*step, 2, Language::En);
             let ru = en.replace('.', ",");

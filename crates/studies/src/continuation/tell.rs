@@ -41,6 +41,7 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
     }
     for (k, curve) in diagram.curves.iter().enumerate() {
         results.words.push(about(machine, study, (k, diagram.curves.len()), curve));
+        results.words.extend(by_collocation(machine, study, curve));
     }
     if diagram.special.is_empty() {
         results.words.push(Text::new("Nothing happens on it: no fold, no branch point.", "Особых точек нет: ни поворотов, ни ветвлений."));
@@ -106,7 +107,7 @@ fn extent(machine: &Machine, study: &Branched, special: &Special) -> Text {
 struct Row<'a> {
     /// Number of the branch, or 0.
     branch: usize,
-    /// Number of the curve of folds or period doublings, or 0.
+    /// Number of the curve of special points, or 0.
     crease: usize,
     /// Both parameters.
     plane: [f64; 2],
@@ -133,7 +134,7 @@ fn dataset(machine: &Machine, study: &Branched, diagram: &Diagram) -> Dataset {
     let mut columns =
         vec![column("branch", ("branch", "1"), Text::new("number of the branch", "номер ветви"), &|row| row.branch as f64)];
     if study.second.is_some() {
-        let label = Text::new("number of the curve of folds or period doublings", "номер кривой складок или удвоений периода");
+        let label = Text::new("number of the curve of special points", "номер кривой особых точек");
         columns.push(column("curve", ("curve", "1"), label, &|row| row.crease as f64));
     }
     columns.push(parameter(&study.name, &|row| row.plane[0]));
@@ -178,7 +179,36 @@ fn audits(diagram: &Diagram) -> Vec<Audit> {
         );
         list.push(Audit::at_most("liouville", name, most(|f| f.liouville), LIOUVILLE));
     }
+    if facts().any(|f| f.intervals.is_some()) {
+        let name = Text::new(
+            "the motion from each end of the mesh comes to the next one: largest relative miss",
+            "движение из каждого узла сетки приходит в следующий: наибольшее относительное отклонение",
+        );
+        list.push(Audit::at_most("collocation", name, most(|f| f.defect), ON_BRANCH));
+    }
     list
+}
+
+/// That points of a branch were found by collocation, and why.
+fn by_collocation(machine: &Machine, study: &Branched, curve: &Curve) -> Option<Text> {
+    let found = || curve.places.iter().filter_map(|place| Some((place, place.facts().intervals?)));
+    let (first, _) = found().next()?;
+    let count = found().count();
+    let (low, high) = found().fold((usize::MAX, 0), |(low, high), (_, n)| (low.min(n), high.max(n)));
+    let value = report::number::short(first.parameter(), 6, Language::En);
+    let (symbol, unit) = (symbol(machine, &study.name), unit(machine, &study.name));
+    let printed = |language| if unit == "1" { String::new() } else { format!(" {}", report::unit::print(&unit, language)) };
+    Some(Text::new(
+        format!(
+            "From {symbol} = {value}{} on whole periods are too sensitive to be followed at once (shooting); points by orthogonal collocation: {count}, meshes of {low} to {high} intervals with five Gauss points.",
+            printed(Language::En)
+        ),
+        format!(
+            "Начиная с {symbol} = {}{} движение за целый период слишком чувствительно к начальным условиям (стрельба невозможна); точек, найденных ортогональной коллокацией: {count}, отрезков сетки с пятью узлами Гаусса — от {low} до {high}.",
+            value.replace('.', ","),
+            printed(Language::Ru)
+        ),
+    ))
 }
 
 /// Parts of a branch that are stable or unstable throughout.
@@ -198,6 +228,9 @@ fn point(machine: &Machine, place: &Place) -> Value {
     fields.insert("parameter".into(), json!(place.parameter()));
     let facts = place.facts();
     fields.insert("stable".into(), json!(facts.stable));
+    if let Some(intervals) = facts.intervals {
+        fields.insert("collocation".into(), json!({"intervals": intervals, "defect": facts.defect}));
+    }
     let numbers: Vec<Value> = facts.multipliers.iter().flatten().map(json_of).collect();
     fields.insert(if facts.period > 0.0 { "multipliers" } else { "roots" }.into(), json!(numbers));
     Value::Object(fields)

@@ -233,8 +233,8 @@ impl Zeros for Free<'_, '_> {
             multipliers,
             energy,
             switches: turned.switches(),
-            miss: 0.0,
             liouville: varied.liouville,
+            ..Facts::default()
         };
         let phase = Some((phase, y[..n].to_vec()));
         let mut local = Local { scales, jacobian, residual: Vec::new(), basis, states: varied.states, phase, facts };

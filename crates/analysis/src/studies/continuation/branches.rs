@@ -4,7 +4,7 @@ use super::corrector;
 use super::crease;
 use super::curve::{Curve, End, Of};
 use super::diagram::{Diagram, Options, SAME, Work, followed};
-use super::orbits::Orbits;
+use super::orbits::{By, Orbits};
 use super::places::Rests;
 use super::switching;
 use super::zeros::{Family, Place, Zeros};
@@ -27,7 +27,7 @@ pub fn regimes(family: &mut dyn Family, start: &[f64], periodic: &Periodic<'_>, 
         y.push(period);
     }
     y.push(options.start);
-    let mut orbits = Orbits { family, shooting, returns: 1, range: options.to - options.from, work: [0; 2] };
+    let mut orbits = Orbits { family, shooting, returns: 1, range: options.to - options.from, work: [0; 2], by: By::default() };
     let mut diagram = Diagram::default();
     let of = Of::Orbits(usize::from(orbits.shooting.is_driven()));
     whole(&mut orbits, y, of, (options, &mut diagram))?;

@@ -95,6 +95,15 @@ pub(super) fn settle(zeros: &mut dyn Zeros, near: &Local, guess: &[f64], plane: 
     correct(zeros, &fresh, guess, plane)
 }
 
+/// The point of the branch in the plane through a guess across a direction, with derivatives taken at the guess.
+///
+/// *Errors*: those of the equations.
+pub(super) fn reached(zeros: &mut dyn Zeros, guess: Vec<f64>, direction: &[f64]) -> Result<Option<Place>, Fault> {
+    let near = zeros.local(&guess)?;
+    let Some(found) = correct(zeros, &near, &guess, &Plane { through: &guess, normal: direction })? else { return Ok(None) };
+    place(zeros, found.y, direction)
+}
+
 /// The equations at a point with the tangent of the branch, which goes on in a direction. The point is held against Newton's own correction with the derivatives
 /// there, and moved by it while that is more than rounding.
 ///

@@ -1,7 +1,7 @@
-//! Curves of folds and period doublings in the plane of two parameters, from what was found on the branches.
+//! Curves of folds, period doublings, Hopf and torus points in the plane of two parameters, from what was found on the branches.
 
 use super::corrector;
-use super::curve::{Bounds, Curve, End, Of, walk};
+use super::curve::{Bounds, Curve, End, FIRST, Of, walk};
 use super::diagram::{Crease, Diagram, Options, Second};
 use super::locate::{Special, What};
 use super::turning::Turning;
@@ -16,14 +16,15 @@ const ALIKE: f64 = 0.02;
 /// Halvings of a step.
 const HALVINGS: usize = 50;
 
-/// Follows the folds and period doublings among the special points of a diagram, from the k-th on, over the second parameter.
+/// Follows the folds, period doublings, Hopf and torus points among the special points of a diagram, from the k-th on, over the second parameter.
 pub(super) fn follow(zeros: &mut dyn Zeros, k: usize, (options, diagram): (&Options<'_>, &mut Diagram)) {
     let Some(second) = options.second else { return };
     for k in k..diagram.special.len() {
         let (which, _, special) = diagram.special[k].clone();
         let of = diagram.curves[which].of;
         let lies = |crease: &Crease| crease.curve.of == of && crease.what == special.what && passes(crease, &special, second);
-        if !matches!(special.what, What::Fold | What::Doubling) || diagram.creases.iter().any(lies) {
+        let hopf = special.what == What::Hopf && of == Of::Rest && !special.place.signs.paired;
+        if !(hopf || matches!(special.what, What::Fold | What::Doubling | What::Torus)) || diagram.creases.iter().any(lies) {
             continue;
         }
         if let Of::Orbits(periods) = of {
@@ -41,7 +42,7 @@ pub(super) fn follow(zeros: &mut dyn Zeros, k: usize, (options, diagram): (&Opti
 fn one(zeros: &mut dyn Zeros, special: &Special, (options, second): (&Options<'_>, Second)) -> Option<Curve> {
     let range = second.to - second.from;
     let ranges = [[options.from, options.to], [second.from, second.to]];
-    let bounds = Bounds { ranges: &ranges, points: options.points, interrupt: options.interrupt };
+    let bounds = Bounds { ranges: &ranges, points: options.points, interrupt: options.interrupt, first: FIRST };
     let mut y = special.place.y.clone();
     y.push(second.here);
     let last = y.len() - 1;
@@ -53,7 +54,14 @@ fn one(zeros: &mut dyn Zeros, special: &Special, (options, second): (&Options<'_
         let mut turning = Turning::new(zeros, special.what, range);
         let direction: Vec<f64> = (0..=last).map(|i| if i == last { sign * range } else { 0.0 }).collect();
         let start = corrector::place(&mut turning, y.clone(), &direction).ok().flatten()?;
-        let mut curve = walk(&mut turning, start, bounds, &|_| false);
+        let mut curve = walk(&mut turning, start, bounds, &|point| meets(point.what));
+        if let (Some(End::Joins), Some((_, point))) = (&curve.ends[1], curve.special.last()) {
+            let (what, place) = (point.what, point.place.clone());
+            if let Some(end) = curve.places.last_mut() {
+                *end = place;
+            }
+            curve.ends[1] = Some(End::Meets(what));
+        }
         for (_, point) in &mut curve.special {
             point.what = named(point, special.what);
         }
@@ -63,6 +71,11 @@ fn one(zeros: &mut dyn Zeros, special: &Special, (options, second): (&Options<'_
         });
     }
     whole
+}
+
+/// Whether both of a pair become real there: beyond it the curve is one of saddles.
+fn meets(what: What) -> bool {
+    matches!(what, What::BogdanovTakens | What::Resonance(1 | 2))
 }
 
 /// What a special point of a curve is.

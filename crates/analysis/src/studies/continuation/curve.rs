@@ -8,7 +8,7 @@ use crate::Fault;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// First step, as a share of the range of the parameter.
-const FIRST: f64 = 0.01;
+pub(super) const FIRST: f64 = 0.01;
 /// Longest step, of scaled length: a branch over the whole range has twenty points at least, and its picture no corners.
 const LONGEST: f64 = 0.05;
 /// A step below this share of the range cannot be told from rounding of the corrections.
@@ -38,6 +38,8 @@ pub enum End {
     Closed,
     /// It joins another branch, which is known from there on.
     Joins,
+    /// Both of the pair that is followed become real there.
+    Meets(What),
     /// It has as many points as were asked for.
     Points,
     /// The motion shrinks to a place of rest.
@@ -46,10 +48,14 @@ pub enum End {
     Grazes,
     /// The period of a free motion grows without bound: it comes ever nearer to a place of rest that it leaves again.
     Lingers,
+    /// Folds follow one another ever more closely while the period grows: the parameter winds towards a value at which the motion is homoclinic.
+    Winds(f64),
     /// No step leads further: how small the last one was, and why, where the equations say so.
     Stuck(f64, Option<Fault>),
     /// The user has interrupted.
     Interrupted,
+    /// Another method goes on from here.
+    Outgrown,
 }
 
 /// A branch.
@@ -116,6 +122,8 @@ pub(super) struct Bounds<'a> {
     pub(super) ranges: &'a [[f64; 2]],
     pub(super) points: usize,
     pub(super) interrupt: Option<&'a AtomicBool>,
+    /// First step.
+    pub(super) first: f64,
 }
 
 impl Bounds<'_> {
@@ -159,7 +167,7 @@ enum Side {
 /// Follows a branch; `known` says of a special point whether another branch has it.
 pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, known: &dyn Fn(&Special) -> bool) -> Curve {
     let mut curve = Curve { places: vec![start.clone()], special: Vec::new(), ends: [None, Some(End::Points)], parent: None, of: Of::Rest };
-    let mut h = FIRST;
+    let mut h = bounds.first;
     while curve.places.len() < bounds.points {
         if bounds.interrupted() {
             curve.ends[1] = Some(End::Interrupted);
@@ -175,7 +183,7 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
                     curve.special.extend(grazes.map(|special| (curve.places.len() - 1, special)));
                     curve.ends[1] = Some(match curve.special.last() {
                         Some((_, special)) if special.what == What::Grazing => End::Grazes,
-                        _ if lingers(&a) => End::Lingers,
+                        _ if lingers(&a, bounds.ranges.len()) => End::Lingers,
                         _ => End::Stuck(h, fault),
                     });
                     return curve;
@@ -193,13 +201,16 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
                 curve.special.extend(events.into_iter().map(|e| (place, e.special)));
                 let closed = curve.places.len() > 3 && closes(&start, &a, &b);
                 h = next_step(h, &a, &b, steps, zeros.sort());
+                let outgrown = zeros.outgrown(&b);
                 curve.places.push(if closed { start.clone() } else { *b });
                 let end = if closed {
                     Some(End::Closed)
                 } else if joins {
                     Some(End::Joins)
+                } else if side == Side::AtBound {
+                    Some(End::Left)
                 } else {
-                    (side == Side::AtBound).then_some(End::Left)
+                    winds(&curve, bounds.ranges.len()).map(End::Winds).or(outgrown.then_some(End::Outgrown))
                 };
                 if end.is_some() {
                     curve.ends[1] = end;
@@ -226,12 +237,39 @@ fn rests(place: &Place, ends: [&Place; 2]) -> bool {
 /// period alone grow.
 const STILL: f64 = 1e-5;
 
-/// Whether the period alone grows from a point on.
-fn lingers(a: &Place) -> bool {
+/// The same of the start of the motion, which comes to rest beside the parameter. Where the shape goes on changing while the parameter stands still (the explosion of a canard) the branch has no end.
+const SHAPED: f64 = 1e-2;
+
+/// Whether the period alone grows from a point on; it stands before the parameters.
+pub(super) fn lingers(a: &Place, parameters: usize) -> bool {
     let Some((rates, _)) = &a.local.phase else { return false };
-    let n = rates.len();
+    let n = a.y.len() - 1 - parameters;
     let share = |i: usize| a.tangent[i] / a.local.scales[i];
-    (n + 1..a.y.len()).all(|i| share(i).abs() <= STILL * share(n))
+    let states = rates.len();
+    (n + 1..a.y.len()).all(|i| share(i).abs() <= STILL * share(n)) && (0..states).all(|i| share(i).abs() <= SHAPED * share(n))
+}
+
+/// Ratio of the distances of folds that follow one another below which they have a limit, and the last distance, as a share of the range, at which it is told.
+const NEARER_EACH: f64 = 0.7;
+const WOUND: f64 = 1e-5;
+
+/// The value towards which the parameter of a branch of free motions winds, where it does: near to a homoclinic motion of a place of rest with a pair of roots every half turn of the pair
+/// is one fold more, exp(-πδ/ω) times as far from the last one as that from the one before.
+///
+/// *Source*: P. Glendinning, C. Sparrow, J. Statistical Physics 35 (1984) 645-696.
+pub(super) fn winds(curve: &Curve, parameters: usize) -> Option<f64> {
+    if parameters != 1 || curve.places.last()?.local.phase.is_none() {
+        return None;
+    }
+    let folds: Vec<&Place> = curve.special.iter().filter(|(_, s)| s.what == What::Fold).map(|(_, s)| &s.place).collect();
+    let last = folds.last_chunk::<4>()?;
+    let range = last[3].local.scales.last()?;
+    let way: Vec<f64> = last.windows(2).map(|pair| pair[1].parameter() - pair[0].parameter()).collect();
+    let nearer = way.windows(2).all(|pair| pair[0] * pair[1] < 0.0 && pair[1].abs() <= NEARER_EACH * pair[0].abs());
+    let longer = last.windows(2).all(|pair| pair[1].local.facts.period > pair[0].local.facts.period);
+    // the rest of an alternating geometric series
+    let rest = way[2] * way[2] / (way[1] - way[2]);
+    (nearer && longer && way[2].abs() <= WOUND * range).then(|| last[3].parameter() + rest)
 }
 
 /// Steps beyond the end of a branch at which the motion is looked at: from what corrections resolve to what a straight way is good for.
@@ -368,7 +406,7 @@ fn turns_twice(a: &Place, b: &Place) -> bool {
 }
 
 /// Whether the branch has come back to its start on the way from a to b.
-fn closes(start: &Place, a: &Place, b: &Place) -> bool {
+pub(super) fn closes(start: &Place, a: &Place, b: &Place) -> bool {
     let between = |u: &Place, v: &Place| -> Vec<f64> { u.y.iter().zip(&v.y).map(|(u, v)| u - v).collect() };
     let (way, there) = (between(b, a), between(start, a));
     let length = a.dot(&way, &way);
@@ -398,8 +436,8 @@ fn next_step(h: f64, a: &Place, b: &Place, steps: usize, sort: Sort) -> f64 {
     }
     if let (Some(before), Some(now)) = (&a.local.facts.multipliers, &b.local.facts.multipliers) {
         let moved = signs::moved(before, now);
+        let near = signs::distance(now, sort).max(RESOLVED);
         if moved > 0.0 {
-            let near = signs::distance(now, sort).max(RESOLVED);
             factor = f64::min(factor, NEARER * near / moved * (done / h));
         }
     }

@@ -1,7 +1,8 @@
 //! A diagram: its branches, and what happens on them.
 
-use super::curve::{Bounds, Curve, walk};
+use super::curve::{Bounds, Curve, FIRST};
 use super::locate::{Special, What};
+use super::relay;
 use super::zeros::{Place, Zeros};
 use std::sync::atomic::AtomicBool;
 
@@ -96,8 +97,8 @@ const ALIKE: f64 = 1e-4;
 
 /// Follows a branch.
 pub(super) fn followed(zeros: &mut dyn Zeros, start: Place, options: &Options<'_>, diagram: &Diagram) -> Curve {
-    let bounds = Bounds { ranges: &[[options.from, options.to]], points: options.points, interrupt: options.interrupt };
-    walk(zeros, start, bounds, &|special| diagram.known(special).is_some())
+    let bounds = Bounds { ranges: &[[options.from, options.to]], points: options.points, interrupt: options.interrupt, first: FIRST };
+    relay::walk(zeros, start, bounds, &|special| diagram.known(special).is_some())
 }
 
 impl Diagram {

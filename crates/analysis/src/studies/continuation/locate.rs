@@ -27,6 +27,10 @@ pub enum What {
     Cusp,
     /// The second parameter is extreme on a curve of folds or period doublings.
     Turn,
+    /// The frequency on a curve of Hopf points falls to 0: two roots are 0 there.
+    BogdanovTakens,
+    /// On a curve of torus points the pair is a root of 1 of this order, up to the fourth (strong resonance).
+    Resonance(usize),
 }
 
 impl What {
@@ -41,6 +45,11 @@ impl What {
             What::Grazing => "grazing",
             What::Cusp => "cusp",
             What::Turn => "turn",
+            What::BogdanovTakens => "bogdanov-takens",
+            What::Resonance(1) => "resonance 1:1",
+            What::Resonance(2) => "resonance 1:2",
+            What::Resonance(3) => "resonance 1:3",
+            What::Resonance(_) => "resonance 1:4",
         }
     }
 }
@@ -72,6 +81,10 @@ pub(super) enum Test {
     Pair,
     Switches,
     Count,
+    /// ω² of a pair of roots.
+    Frequency,
+    /// The cosine of a pair of multipliers less that of the root of 1 of this order.
+    Angle(usize),
 }
 
 /// Evaluations of a test function.
@@ -90,6 +103,19 @@ pub(super) const LEVEL: f64 = 1e-9;
 
 fn changes(a: f64, b: f64) -> bool {
     a * b < 0.0
+}
+
+/// Cosines of the roots of 1 of the first four orders.
+const COSINES: [f64; 4] = [1.0, -1.0, -0.5, 0.0];
+
+/// What is told of the pair of a curve of Hopf or torus points.
+fn turned(place: &Place, test: Test) -> Option<f64> {
+    let (sort, value) = place.local.facts.pair?;
+    match (test, sort) {
+        (Test::Frequency, Sort::Roots) => Some(value),
+        (Test::Angle(order), Sort::Multipliers) => Some(value - COSINES[(order - 1).min(3)]),
+        _ => None,
+    }
 }
 
 /// The tests whose functions change their sign between two points.
@@ -111,6 +137,8 @@ pub(super) fn flagged(a: &Place, b: &Place) -> Vec<Test> {
     if both(s.pair, t.pair) && !(s.paired && t.paired) {
         list.push(Test::Pair);
     }
+    let pairs = [Test::Frequency].into_iter().chain((1..=4).map(Test::Angle));
+    list.extend(pairs.filter(|test| both(turned(a, *test), turned(b, *test))));
     if a.local.facts.switches != b.local.facts.switches {
         list.push(Test::Switches);
     }
@@ -174,6 +202,7 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Branch => place.signs.branch,
         Test::Doubling => place.signs.doubling.unwrap_or(f64::NAN),
         Test::Pair => place.signs.pair.unwrap_or(f64::NAN),
+        Test::Frequency | Test::Angle(_) => turned(place, test).unwrap_or(f64::NAN),
         Test::Switches => {
             if place.local.facts.switches == a.local.facts.switches {
                 1.0
@@ -209,6 +238,8 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Pair if !leaves_as_pair(&numbers, sort) => return Ok(None),
         Test::Pair => of_pair(sort),
         Test::Count => of_count(&place, sort),
+        Test::Frequency => What::BogdanovTakens,
+        Test::Angle(order) => What::Resonance(order),
     };
     Ok(Some(Located { share: 0.5 * (low + high), special: Special { what, within, place } }))
 }

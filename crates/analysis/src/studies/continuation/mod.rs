@@ -13,13 +13,17 @@
 
 mod backbone;
 mod branches;
+mod collocation;
 mod corrector;
 mod crease;
 mod curve;
 mod diagram;
+mod ground;
 mod locate;
+mod mesh;
 mod orbits;
 mod places;
+mod relay;
 mod signs;
 mod switching;
 mod turning;

@@ -5,11 +5,12 @@
 //! R(x, T, p) = φ_T(x; p) - x,   f(x_0) · (x - x_0)                 free: T is sought, and where the period begins is fixed beside the last point
 //! ```
 
-use super::zeros::{Facts, Family, Local, Sort, Zeros};
+use super::collocation::Collocation;
+use super::ground::{Ground, not_the_period, period_at};
+use super::zeros::{Facts, Family, Finer, Local, Place, Sort, Zeros};
 use crate::Fault;
-use crate::studies::periodic::{Shooting, Turned, Varied};
+use crate::studies::periodic::{Multiplier, Shooting, Turned, Varied};
 use crate::studies::stability::{Verdict, verdict};
-use words::{Message, Text};
 
 /// Step of the parameter for derivatives, as a share of its range: turns are known to some fourteen digits, and half of that is the best of a difference.
 const STEP: f64 = 1e-7;
@@ -24,7 +25,22 @@ pub(super) struct Orbits<'f, 'o> {
     pub(super) range: f64,
     /// Turns followed, and turns varied.
     pub(super) work: [usize; 2],
+    /// By what points are found.
+    pub(super) by: By,
 }
+
+/// By what points are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum By {
+    /// By whole turns, and by collocation where these are too sensitive.
+    #[default]
+    Either,
+    /// By whole turns alone.
+    Turns,
+}
+
+/// Largest multiplier with which whole turns are followed: of fourteen digits of a turn eight are left.
+const SENSITIVE: f64 = 1e6;
 
 impl<'o> Orbits<'_, 'o> {
     /// Scales of the unknowns.
@@ -40,13 +56,10 @@ impl<'o> Orbits<'_, 'o> {
     /// The turn that begins at y.
     fn turn(&mut self, y: &[f64]) -> Result<Turned<'o>, Fault> {
         let n = self.shooting.scales().len();
-        let value = y[y.len() - 1];
         self.work[0] += 1;
-        let (machine, period) = self.family.at(value)?;
-        let period = if self.shooting.is_driven() { period.ok_or_else(no_period)? * self.returns as f64 } else { y[n] };
-        if !(period > 0.0 && period.is_finite()) {
-            return Err(no_period());
-        }
+        let (driven, returns) = (self.shooting.is_driven(), self.returns);
+        let period = period_at(self.family, y, (driven, returns))?;
+        let (machine, _) = self.family.at(y[y.len() - 1])?;
         self.shooting.turn(machine, &y[..n], period)
     }
 
@@ -132,6 +145,7 @@ impl Zeros for Orbits<'_, '_> {
             switches: turned.switches(),
             miss: 0.0,
             liouville: varied.liouville,
+            ..Facts::default()
         };
         let mut local = Local { scales, jacobian: Vec::new(), residual: Vec::new(), basis, states: varied.states.clone(), phase, facts };
         let here = missed(&turned, y, &local);
@@ -175,44 +189,26 @@ impl Zeros for Orbits<'_, '_> {
         Sort::Multipliers
     }
 
+    fn outgrown(&self, place: &Place) -> bool {
+        let numbers = place.local.facts.multipliers.iter().flatten();
+        self.by == By::Either && numbers.map(Multiplier::abs).fold(0.0, f64::max) > SENSITIVE
+    }
+
+    fn finer(&mut self, place: &Place) -> Option<(Box<dyn Finer + '_>, Place)> {
+        if self.by == By::Turns {
+            return None;
+        }
+        let Orbits { family, shooting, returns, range, work, .. } = self;
+        let ground = Ground { family: &mut **family, shooting, returns: *returns, range: *range, work };
+        let (finer, start) = Collocation::beside(ground, place).ok().flatten()?;
+        Some((Box::new(finer), start))
+    }
+
+    fn stay(&mut self) {
+        self.by = By::Turns;
+    }
+
     fn turns(&self) -> [usize; 2] {
         self.work
     }
-}
-
-fn no_period() -> Fault {
-    Fault::new(Message {
-        code: "S150",
-        what: Text::new(
-            "the motion is driven in time, and no period follows from the file",
-            "движение вынужденное, а период из файла не следует",
-        ),
-        why: Text::new(
-            "a forced motion can repeat only after whole periods of its loads, which change with the parameter",
-            "вынужденное движение может повторяться только через целое число периодов нагрузок, а они меняются вместе с параметром",
-        ),
-        help: Text::new(
-            "give the period as a formula of the parameter: period = \"2*pi/w\"",
-            "задайте период формулой от параметра: period = \"2*pi/w\"",
-        ),
-    })
-}
-
-fn not_the_period(period: f64) -> Fault {
-    let n = words::digits::number(period);
-    Fault::new(Message {
-        code: "S150",
-        what: Text::new(
-            format!("{} s is not a period of the loads at this value of the parameter", n.en),
-            format!("{} с – не период нагрузок при этом значении параметра", n.ru),
-        ),
-        why: Text::new(
-            "the loads change with the parameter, and the period that was given does not, or otherwise",
-            "нагрузки меняются вместе с параметром, а заданный период не меняется или меняется иначе",
-        ),
-        help: Text::new(
-            "give the period as a formula of the parameter: period = \"2*pi/w\"",
-            "задайте период формулой от параметра: period = \"2*pi/w\"",
-        ),
-    })
 }

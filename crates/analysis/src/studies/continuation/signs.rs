@@ -119,7 +119,9 @@ pub(super) fn distance(numbers: &[Multiplier], sort: Sort) -> f64 {
 /// Largest change of a multiplier from one point to another.
 pub(super) fn moved(a: &[Multiplier], b: &[Multiplier]) -> f64 {
     let (a, b) = (own(a), own(b));
-    let nearest = |x: &Complex| b.iter().map(|y| complex::abs(x - y)).fold(f64::INFINITY, f64::min);
+    // far outside it counts as a share: nothing is decided there
+    let share = |x: &Complex| complex::abs(*x).max(1.0);
+    let nearest = |x: &Complex| b.iter().map(|y| complex::abs(x - y)).fold(f64::INFINITY, f64::min) / share(x);
     let most = a.iter().map(nearest).fold(0.0, f64::max);
     if most.is_finite() { most } else { 0.0 }
 }

@@ -14,7 +14,7 @@ use super::crease;
 use super::curve::{Curve, Of};
 use super::diagram::{Diagram, Options, followed};
 use super::locate::{Special, What};
-use super::orbits::Orbits;
+use super::orbits::{By, Orbits};
 use super::zeros::{Family, Place, Zeros};
 use crate::studies::periodic::{Periodic, Shooting};
 use crate::{Fault, System};
@@ -59,6 +59,8 @@ pub(super) fn of_orbits(orbits: &mut Orbits<'_, '_>, mut k: usize, options: &Opt
         };
         orbits.repeat(periods);
         match special.what {
+            // located by collocation: shooting has no equations there
+            What::Branch | What::Doubling if special.place.local.jacobian.is_empty() => diagram.unmet += 1,
             What::Branch => both_ways(orbits, (k, &special), Of::Orbits(periods), (options, diagram)),
             What::Doubling if 2 * periods.max(1) > DEEPEST => diagram.deeper += 1,
             What::Doubling => {
@@ -104,7 +106,8 @@ pub(super) fn from_rest(family: &mut dyn Family, count: usize, options: &Options
         let periodic = Periodic { tolerance: 1e-13, ..Periodic::default() }; // turns are differentiated: they are followed more closely than they are shown
         let shooting = Shooting::beside(machine, x, (&scales, period), &periodic)?;
         let first = diagram.special.len();
-        let mut orbits = Orbits { family: &mut *family, shooting, returns: 1, range: options.to - options.from, work: [0; 2] };
+        let mut orbits =
+            Orbits { family: &mut *family, shooting, returns: 1, range: options.to - options.from, work: [0; 2], by: By::default() };
         let mut there = special.clone();
         there.place.y = x.iter().copied().chain([period, special.place.y[last]]).collect();
         there.place.local.scales = scales.iter().copied().chain([period, options.to - options.from]).collect();

@@ -1,10 +1,12 @@
-//! Folds and period doublings as zeros: the equations of a branch, and one more that says that its point is one of them. The unknowns of the branch are followed by
+//! Folds, period doublings, Hopf and torus points as zeros: the equations of a branch, and one more that says that its point is one of them. The unknowns of the branch are followed by
 //! the second parameter, which is the last one.
 //!
 //! ```text
 //! R(u, p; s) = 0,      g(u, p; s) = 0,      | A   b | |v|   |0|        A = ∂R/∂u of a fold, Φ + 1 of a period doubling
 //!                                           | c'  0 | |g| = |1|        b, c beside the null directions of A' and A
 //! ```
+//!
+//! Of a Hopf point g is half the sum of its two roots, of a torus point the product of its two multipliers less 1: both stay smooth where the two become real.
 //!
 //! g = det A / det of the bordered matrix vanishes with det A, and is of the size of its least singular value. Its derivatives are differences.
 //!
@@ -13,6 +15,7 @@
 use super::locate::What;
 use super::zeros::{Local, Sort, Zeros};
 use crate::Fault;
+use algebra::complex::Complex;
 use algebra::lu::Lu;
 use algebra::vectors::norm;
 use words::{Message, Text};
@@ -30,11 +33,13 @@ pub(super) struct Turning<'z> {
     range: f64,
     /// b and c.
     border: Option<[Vec<f64>; 2]>,
+    /// What told the pair at the last point, and the frequency at the first one.
+    pair: Option<(f64, f64)>,
 }
 
 impl<'z> Turning<'z> {
     pub(super) fn new(inner: &'z mut dyn Zeros, what: What, range: f64) -> Turning<'z> {
-        Turning { inner, what, range, border: None }
+        Turning { inner, what, range, border: None, pair: None }
     }
 
     /// A, row by row, and its order.
@@ -45,8 +50,44 @@ impl<'z> Turning<'z> {
         ((0..k * k).map(entry).collect(), k)
     }
 
+    fn is_pair(&self) -> bool {
+        matches!(self.what, What::Hopf | What::Torus)
+    }
+
+    /// g of the pair that goes on from the last point, what tells it, and the frequency of the first one.
+    fn of_pair(&self, local: &Local) -> Result<(f64, f64, f64), Fault> {
+        let sort = self.inner.sort();
+        let list: Vec<_> = local.facts.multipliers.iter().flatten().filter(|m| !m.trivial).map(|m| Complex::new(m.re, m.im)).collect();
+        let mut best: Option<(f64, (f64, f64, f64))> = None;
+        for (i, a) in list.iter().enumerate() {
+            for b in &list[i + 1..] {
+                let (sum, product) = (a + b, a * b);
+                // conjugate, or both real: other sums and products have imaginary parts
+                if a.im != -b.im || (self.pair.is_none() && a.im == 0.0) {
+                    continue;
+                }
+                let size = self.pair.map_or(product.re.abs().sqrt(), |pair| pair.1);
+                let (g, told) = match sort {
+                    Sort::Roots => (0.5 * sum.re / size, product.re / (size * size)),
+                    Sort::Multipliers => (product.re - 1.0, 0.5 * sum.re),
+                };
+                let off = g.abs() + self.pair.map_or(0.0, |pair| (told - pair.0).abs());
+                if best.as_ref().is_none_or(|(least, _)| off < *least) {
+                    best = Some((off, (g, told, size)));
+                }
+            }
+        }
+        best.map(|(_, found)| found).ok_or_else(no_border)
+    }
+
     /// g with the border that there is; one that lies beside the null directions is made where there is none. The sign of g goes on: what happens on the curve is told by signs.
-    fn test(&mut self, local: &Local) -> Result<f64, Fault> {
+    fn test(&mut self, local: &mut Local) -> Result<f64, Fault> {
+        if self.is_pair() {
+            let (g, told, size) = self.of_pair(local)?;
+            self.pair = Some((told, size));
+            local.facts.pair = Some((self.inner.sort(), told));
+            return Ok(g);
+        }
         let (matrix, k) = self.matrix(local);
         let old =
             self.border.as_ref().and_then(|[b, c]| Some((Bordered::new(&matrix, b, c)?, Bordered::new(&transposed(&matrix, k), c, b)?)));
@@ -68,6 +109,9 @@ impl<'z> Turning<'z> {
 
     /// g with the border that there is.
     fn value(&self, local: &Local) -> Result<f64, Fault> {
+        if self.is_pair() {
+            return Ok(self.of_pair(local)?.0);
+        }
         let (matrix, _) = self.matrix(local);
         let found = self.border.as_ref().and_then(|[b, c]| Bordered::new(&matrix, b, c));
         found.map(|found| found.g).ok_or_else(no_border)
@@ -149,7 +193,7 @@ impl Zeros for Turning<'_> {
         let last = y.len() - 1;
         self.inner.hold(y[last]);
         let mut local = self.inner.local(&y[..last])?;
-        let g = self.test(&local)?;
+        let g = self.test(&mut local)?;
         let (m, k) = (local.rows(), local.basis.len());
         let mut slopes = Vec::with_capacity(k + 1);
         for j in 0..k {

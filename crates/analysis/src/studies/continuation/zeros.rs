@@ -33,6 +33,12 @@ pub struct Facts {
     pub miss: f64,
     /// By how much Liouville's formula is missed.
     pub liouville: f64,
+    /// On a curve of Hopf or torus points what tells the pair: ω² as a share of its first value, or the cosine of its angle.
+    pub(super) pair: Option<(Sort, f64)>,
+    /// Number of intervals of the mesh where it was found by collocation; none of other points.
+    pub intervals: Option<usize>,
+    /// By how much the motion from the beginning of an interval misses the next one, in scales; of collocation.
+    pub defect: f64,
 }
 
 /// The equations near a point.
@@ -91,8 +97,35 @@ pub(super) trait Zeros {
     /// Which test functions mean something.
     fn sort(&self) -> Sort;
 
+    /// Whether the motion at a point is so sensitive that the next ones are better found otherwise.
+    fn outgrown(&self, place: &Place) -> bool {
+        let _ = place;
+        false
+    }
+
+    /// The same by finer equations, where they do for the motion at a point; with their unknowns there.
+    fn finer(&mut self, place: &Place) -> Option<(Box<dyn Finer + '_>, Place)> {
+        let _ = place;
+        None
+    }
+
+    /// No finer equations are asked for any more.
+    fn stay(&mut self) {}
+
     /// Work done.
     fn turns(&self) -> [usize; 2];
+}
+
+/// Equations with more unknowns, which are laid out anew now and then.
+pub(super) trait Finer: Zeros {
+    /// Lays them out anew for the motion at a point; none where that takes too many unknowns.
+    fn remesh(&mut self, place: &Place) -> Result<Option<Place>, Fault>;
+
+    /// A point with the unknowns of the coarser equations.
+    fn shortened(&self, place: Place) -> Place;
+
+    /// They themselves.
+    fn zeros(&mut self) -> &mut dyn Zeros;
 }
 
 /// What the numbers of stability are.
@@ -148,7 +181,7 @@ impl Place {
 
     /// Whether Newton's own correction leaves it where it is, to this share of what varies.
     pub(super) fn lies(&self) -> bool {
-        self.local.facts.miss <= ON_BRANCH
+        self.local.facts.miss <= ON_BRANCH && self.local.facts.defect <= ON_BRANCH
     }
 
     /// What it is.

@@ -35,7 +35,7 @@ pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};
-pub(in crate::studies) use shooting::{Shooting, Turned, Varied, tangent_of};
+pub(in crate::studies) use shooting::{Passage, Shooting, Turned, Varied, tangent_of};
 pub use verdict::NEUTRAL;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};

@@ -2,13 +2,15 @@
 //! itself, and what becomes of small changes of it.
 
 use super::found::{Found, tangent};
-use super::fundamental::Blur;
+use super::fundamental::{self, Blur};
 use super::newton;
 use super::options::{Multiplier, Periodic};
 use super::orbit::{Limit, Orbit, Section, follow};
 use super::spectrum::spectrum;
 use super::symmetry::{self, Symmetry};
 use super::turns::Turns;
+use super::variation::Care;
+use crate::integrate::Step;
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
 
@@ -117,8 +119,7 @@ impl<'o> Shooting<'o> {
             free: Vec::new(),
             basis: Vec::new(),
             turns: self.found.turns.clone(),
-            // the same whole turns in another period
-            carried: self.found.carried.iter().map(|v| v * self.found.orbit.period / period).collect(),
+            carried: self.carried_in(period),
             shrunk: false,
             listener: self.found.listener,
         }))
@@ -145,6 +146,108 @@ impl<'o> Shooting<'o> {
         let basis = states.iter().map(column).collect();
         let rates = found.flow_at_end(system)?;
         Ok(Varied { states, basis, liouville: turn.liouville, matrix: turn.matrix, rates, multipliers })
+    }
+}
+
+/// A part of a turn.
+pub(in crate::studies) struct Passage {
+    orbit: Orbit,
+}
+
+impl Passage {
+    /// Its steps.
+    pub(in crate::studies) fn steps(&self) -> &[Step] {
+        &self.orbit.steps
+    }
+
+    /// Where it ends.
+    pub(in crate::studies) fn end(&self) -> &[f64] {
+        &self.orbit.last
+    }
+
+    /// Least and greatest value of each of the first n states, whose rates are the next n.
+    pub(in crate::studies) fn extremes(&self, n: usize) -> Vec<[f64; 2]> {
+        (0..n).map(|i| extremes(&self.orbit, i, n + i)).collect()
+    }
+}
+
+/// What a part of a turn does to small changes: a matrix in scales, row by row, by how much Liouville's formula is missed, and what the entries may err by as a share of the largest.
+pub(in crate::studies) struct Carried {
+    pub(in crate::studies) matrix: Vec<f64>,
+    pub(in crate::studies) liouville: f64,
+    pub(in crate::studies) doubt: f64,
+}
+
+impl Shooting<'_> {
+    /// The motion between two instants; none where something switches on the way.
+    ///
+    /// *Errors*: those of a motion; S042 after an interruption.
+    pub(in crate::studies) fn passage<S: System + ?Sized>(
+        &self,
+        system: &mut S,
+        x: &[f64],
+        [from, to]: [f64; 2],
+    ) -> Result<Option<Passage>, Fault> {
+        let mut flow = Flow::start(system, from, x, &Options { span: to - from, ..self.flow.clone() })?;
+        let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
+        while !flow.reached(to) {
+            if self.found.listener.is_interrupted() {
+                return Err(super::faults::unsettled(1.0, 1));
+            }
+            flow.advance(to)?;
+            if !flow.switches().is_empty() {
+                return Ok(None);
+            }
+            orbit.steps.push(flow.step().clone());
+        }
+        // variations take steps by the whole period
+        orbit.period = self.found.orbit.period.max(to - from);
+        (orbit.last, orbit.modes[1]) = (flow.state().to_vec(), flow.modes().to_vec());
+        Ok(Some(Passage { orbit }))
+    }
+
+    /// What a part of a turn does to small changes of all states.
+    ///
+    /// *Errors*: those of the variational equations.
+    pub(in crate::studies) fn carried<S: System + ?Sized>(&self, system: &mut S, passage: &Passage) -> Result<Carried, Fault> {
+        let scales = &self.found.scales;
+        let mut found = fundamental::of_orbit(system, &passage.orbit, scales, (Care::Multipliers, self.found.listener))?;
+        found.matrix.scale(scales);
+        Ok(Carried { matrix: found.matrix.values, liouville: found.liouville, doubt: found.doubt })
+    }
+
+    /// Whether the laws repeat after a turn that is known in parts.
+    ///
+    /// *Errors*: those of the equations.
+    pub(in crate::studies) fn laws_repeat<S: System + ?Sized>(
+        &self,
+        system: &mut S,
+        parts: &[Passage],
+        period: f64,
+    ) -> Result<bool, Fault> {
+        let (Some(begin), Some(end)) = (parts.first(), parts.last()) else { return Ok(false) };
+        let steps = parts.iter().flat_map(|part| part.orbit.steps.iter().cloned()).collect();
+        let modes = [begin.orbit.modes[0].clone(), end.orbit.modes[1].clone()];
+        let orbit = Orbit { steps, first: begin.orbit.first.clone(), last: end.orbit.last.clone(), period, modes, ..Orbit::default() };
+        symmetry::repeats(system, &orbit, (period, &self.carried_in(period)), &self.found.scales)
+    }
+
+    /// Velocities of the angles that turn with the forcing: the same whole turns in another period.
+    fn carried_in(&self, period: f64) -> Vec<f64> {
+        self.found.carried.iter().map(|v| v * self.found.orbit.period / period).collect()
+    }
+
+    /// The steps of a turn, and what the states gain in it: whole turns.
+    pub(in crate::studies) fn laid<S: System + ?Sized>(
+        &self,
+        system: &mut S,
+        x: &[f64],
+        period: f64,
+    ) -> Result<(Vec<Step>, Vec<f64>), Fault> {
+        let turned = self.turn(system, x, period)?.0;
+        let gap = turned.gap();
+        let gain = (0..x.len()).map(|i| turned.orbit.last[i] - turned.orbit.first[i] - gap[i]).collect();
+        Ok((turned.orbit.steps, gain))
     }
 }
 

@@ -1,0 +1,72 @@
+//! What periodic motions are followed on, by whole turns or on a mesh: the machine over its parameter, the regime that began, the length of a period.
+
+use super::zeros::Family;
+use crate::Fault;
+use crate::studies::periodic::Shooting;
+use words::{Message, Text};
+
+/// A machine over its parameter, and what its first regime tells of all.
+pub(super) struct Ground<'a, 'o> {
+    pub(super) family: &'a mut dyn Family,
+    pub(super) shooting: &'a Shooting<'o>,
+    /// Periods of the loads in one of the motion.
+    pub(super) returns: usize,
+    /// Range of the parameter.
+    pub(super) range: f64,
+    /// Turns followed, and turns varied.
+    pub(super) work: &'a mut [usize; 2],
+}
+
+impl Ground<'_, '_> {
+    /// The period at y.
+    pub(super) fn period(&mut self, y: &[f64]) -> Result<f64, Fault> {
+        period_at(self.family, y, (self.shooting.is_driven(), self.returns))
+    }
+}
+
+/// The period at y: that of the loads as often as they repeat in it, or of a free motion the unknown before the parameter.
+///
+/// *Errors*: S150 without one, and those of the family.
+pub(super) fn period_at(family: &mut dyn Family, y: &[f64], (driven, returns): (bool, usize)) -> Result<f64, Fault> {
+    let (_, period) = family.at(y[y.len() - 1])?;
+    let period = if driven { period.ok_or_else(no_period)? * returns as f64 } else { y[y.len() - 2] };
+    if period > 0.0 && period.is_finite() { Ok(period) } else { Err(no_period()) }
+}
+
+fn no_period() -> Fault {
+    Fault::new(Message {
+        code: "S150",
+        what: Text::new(
+            "the motion is driven in time, and no period follows from the file",
+            "движение вынужденное, а период из файла не следует",
+        ),
+        why: Text::new(
+            "a forced motion can repeat only after whole periods of its loads, which change with the parameter",
+            "вынужденное движение может повторяться только через целое число периодов нагрузок, а они меняются вместе с параметром",
+        ),
+        help: Text::new(
+            "give the period as a formula of the parameter: period = \"2*pi/w\"",
+            "задайте период формулой от параметра: period = \"2*pi/w\"",
+        ),
+    })
+}
+
+/// The laws do not come back after the period.
+pub(super) fn not_the_period(period: f64) -> Fault {
+    let n = words::digits::number(period);
+    Fault::new(Message {
+        code: "S150",
+        what: Text::new(
+            format!("{} s is not a period of the loads at this value of the parameter", n.en),
+            format!("{} с – не период нагрузок при этом значении параметра", n.ru),
+        ),
+        why: Text::new(
+            "the loads change with the parameter, and the period that was given does not, or otherwise",
+            "нагрузки меняются вместе с параметром, а заданный период не меняется или меняется иначе",
+        ),
+        help: Text::new(
+            "give the period as a formula of the parameter: period = \"2*pi/w\"",
+            "задайте период формулой от параметра: period = \"2*pi/w\"",
+        ),
+    })
+}
