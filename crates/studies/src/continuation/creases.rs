@@ -1,4 +1,4 @@
-//! Curves of folds and period doublings: fields of JSON, sentences and their picture.
+//! Curves of folds, period doublings, Hopf and torus points: fields of JSON, sentences and their picture.
 
 use super::asked::{Beside, Branched, symbol, unit};
 use super::phrases::{end_in_words, name, state};
@@ -163,8 +163,8 @@ impl Chart {
             (What::Torus, Text::new("torus points", "рождение тора")),
         ];
         let there = |what: What| self.curves.iter().any(|(of, _)| *of == what);
-        // the first is drawn solid, the second dashed, whether the first is there or not
-        let series = kinds.into_iter().filter(|(what, _)| *what == What::Fold || there(*what)).map(|(what, label)| {
+        // what there is none of has no line in the legend
+        let series = kinds.into_iter().filter(|(what, _)| there(*what)).map(|(what, label)| {
             let of = self.curves.iter().filter(|(of, _)| *of == what);
             let points: Vec<[f64; 2]> = of.flat_map(|(_, points)| points.iter().copied().chain([[f64::NAN; 2]])).collect();
             Series {
