@@ -4,6 +4,7 @@
 //! that is most like it. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
 //! multiples of the speed at which the loads act. A frequency is |λ|, a frequency with damping |Im λ|; the lines are those of the latter.
 
+use algebra::arrange::Arrange;
 use words::Text;
 
 use crate::dataset::{Column, Dataset, Missing};
@@ -143,7 +144,7 @@ fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
         a.cmp(&b)
     };
     let mut list: Vec<usize> = (0..tracks).collect();
-    list.sort_by(|a, b| order(*a, *b));
+    list.arrange_by(|a, b| order(*a, *b));
     for here in slots {
         *here = list.iter().map(|j| here.get(*j).cloned().flatten()).collect();
     }
@@ -517,7 +518,7 @@ fn matched(before: &[Option<Mode>], list: Vec<Mode>, mass: &[f64]) -> Vec<Option
             pairs.push((likeness(&old.shape, &new.shape, mass) - distance, i, j));
         }
     }
-    pairs.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    pairs.arrange_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
     let mut slots: Vec<Option<usize>> = vec![None; before.len()];
     let mut taken = vec![false; list.len()];
     for (_, i, j) in pairs {
