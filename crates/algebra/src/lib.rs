@@ -5,11 +5,12 @@
 //!
 //! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits), [`lanes`] (several numbers at once, the only file that knows wide) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
 //! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`product`], [`certify`] (eigenproblems) -
-//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`], [`sheet`] (what is dear, and many coefficients, over two parameters) - [`bernstein`], [`gauss`], [`simplex`], [`random`].
+//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`], [`sheet`] (what is dear, and many coefficients, over two parameters) - [`bernstein`], [`gauss`], [`simplex`], [`random`], [`arrange`] (lists).
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
+pub mod arrange;
 pub mod bernstein;
 pub mod certify;
 pub mod cholesky;

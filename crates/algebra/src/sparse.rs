@@ -76,6 +76,8 @@ impl Sparse {
     }
 
     /// From a dense row-major matrix; its lower triangle is read.
+    ///
+    /// *Errors*: a size that does not fit, numbers that are not finite.
     pub fn from_dense(n: usize, matrix: &[f64]) -> Result<Sparse, Trouble> {
         if matrix.len() != n * n {
             return Err(Trouble::Malformed("K, M"));

@@ -21,9 +21,45 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
+/// Perpendicular unit vectors, one after another (Gram-Schmidt, twice is enough).
+///
+/// *Source*: L. Giraud, J. Langou, M. Rozložník, The loss of orthogonality in the Gram-Schmidt orthogonalization process, Comput. Math. Appl. 50 (2005).
+#[derive(Clone, Debug, Default)]
+pub struct Basis(Vec<Vec<f64>>);
+
+impl Basis {
+    /// Takes a vector whose part perpendicular to those before is longer than `nothing`, which is not negative; says whether it did.
+    pub fn takes(&mut self, vector: &[f64], nothing: f64) -> bool {
+        let mut left = vector.to_vec();
+        for _ in 0..2 {
+            for b in &self.0 {
+                let share = dot(b, &left);
+                left.iter_mut().zip(b).for_each(|(l, b)| *l -= share * b);
+            }
+        }
+        let rest = norm(&left);
+        let is_new = rest > nothing;
+        if is_new {
+            left.iter_mut().for_each(|l| *l /= rest);
+            self.0.push(left);
+        }
+        is_new
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_basis_takes_what_is_independent() {
+        let mut basis = Basis::default();
+        let [a, b] = [[1.0, 2.0, 2.0], [1.0, 2.0, 2.000001]];
+        let sum = [0, 1, 2].map(|i| 3.0 * a[i] - 2.0 * b[i]);
+        assert!(!basis.takes(&[0.0; 3], 0.0) && basis.takes(&a, 1e-9) && basis.takes(&b, 1e-9) && !basis.takes(&sum, 1e-9));
+        // the small part of b is perpendicular to a in all digits, though six of them cancelled
+        assert!(dot(&basis.0[0], &basis.0[1]).abs() < 2.0 * f64::EPSILON);
+    }
 
     #[test]
     fn lengths_of_tiny_and_huge_vectors() {

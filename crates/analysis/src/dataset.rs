@@ -1,5 +1,6 @@
 //! The result of a study: named columns with units, audits, events, provenance. It knows no output format.
 
+use algebra::arrange::Arrange;
 use words::Text;
 
 use crate::Quantity;
@@ -367,7 +368,7 @@ impl Dataset {
             }
         }
         // stable: before stays before after, and rows of the table at the same instant stand first
-        rows.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
+        rows.arrange_by(|a, b| a[axis].total_cmp(&b[axis]));
         let column = |(i, c): (usize, &Column)| Column { values: rows.iter().map(|row| row[i]).collect(), ..c.clone() };
         Dataset { columns: self.columns.iter().enumerate().map(column).collect(), ..self.clone() }
     }

@@ -7,7 +7,6 @@ use crate::dataset::Dataset;
 use crate::marks::pushes::Push;
 use crate::studies::claims::{Draw, samples};
 use crate::studies::cycle::{Cycle, Running, running};
-use crate::studies::equilibrium::{Equilibrium, equilibrium};
 use crate::studies::periodic::{self, Periodic, periodic};
 use crate::studies::poincare::{Poincare, poincare};
 use crate::studies::pushed::over_cycle;
@@ -36,8 +35,6 @@ pub static POINCARE: fn(&mut Machine, &[f64], Poincare<'_>) -> Outcome = poincar
 pub static LYAPUNOV: fn(&mut Machine, &[f64], &Options<'_>) -> InTheLongRun = lyapunov::<Machine>;
 /// Hill's equation about a place of rest.
 pub static STANDING: fn(&mut Machine, &[f64], f64) -> Hill = standing::<Machine>;
-/// Places of rest.
-pub static EQUILIBRIUM: fn(&mut Machine, &[f64], &Equilibrium) -> Outcome = equilibrium::<Machine>;
 /// States that a motion passes.
 pub static SAMPLES: fn(&mut Machine, &[f64], Draw) -> States = samples::<Machine>;
 

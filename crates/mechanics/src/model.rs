@@ -22,6 +22,7 @@ pub use premises::{Change, Premise, Reliance, Values, unmoved};
 pub use report::{Depth, Front, Report};
 pub use variants::*;
 
+use algebra::arrange::Arrange;
 use std::ops::Range;
 use symbolic::{Expr, Graph, SymbolId};
 use words::Text;
@@ -364,7 +365,7 @@ impl Model {
     /// Elements with their handles, in the order of their tables.
     pub fn acting(&self) -> Vec<(ElementId, &Element)> {
         let mut all: Vec<_> = self.elements.iter().enumerate().map(|(i, e)| (ElementId(i), e)).collect();
-        all.sort_by_key(|(_, e)| e.rank);
+        all.arrange_by_key(|(_, e)| e.rank);
         all
     }
 }

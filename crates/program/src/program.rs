@@ -257,15 +257,21 @@ impl Bound {
         self.program.states.len()
     }
     /// An evaluator of one of the program's tapes with these parameters.
+    ///
+    /// *Errors*: parameters outside the domain of a formula.
     pub fn evaluator(&self, tape: &Arc<Tape>) -> Result<Evaluator, Fault> {
         Evaluator::new(tape, &self.parameters)
     }
     /// x at the start.
+    ///
+    /// *Errors*: a start outside the domain of a formula.
     pub fn start(&self) -> Result<Vec<f64>, Fault> {
         let mut start = self.evaluator(&self.program.start)?;
         Ok(start.evaluate(&Point::default())?.to_vec())
     }
     /// x' at a state, then the reactions of [`Program::solved`], by the interpreter.
+    ///
+    /// *Errors*: a state outside the domain of a formula, singular equations.
     pub fn rates(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Result<&[f64], Fault> {
         self.dynamics.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() })
     }
@@ -289,6 +295,8 @@ impl Bound {
     ///
     /// A friction sticks where its sliding speed is exactly zero, a contact is closed where its gap is not positive. Whether the limits hold and
     /// the contact force pushes is not decided here: their modes are the signs of their values in the modes returned.
+    ///
+    /// *Errors*: a state outside the domain of a formula.
     pub fn modes(&mut self, time: f64, states: &[f64]) -> Result<Vec<Mode>, Fault> {
         let mut modes = self.dynamics.modes(&Point { time, states, ..Point::default() })?;
         for (mode, guard) in modes.iter_mut().zip(&self.program.guards) {

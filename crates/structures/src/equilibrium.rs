@@ -3,7 +3,7 @@
 use crate::Fault;
 use crate::assembly::{Sparse, name_of};
 use crate::freedoms::Freedom;
-use crate::{Assembly, Frame, RodKind, Scalar, dense, faults};
+use crate::{Assembly, Frame, Scalar, dense, faults};
 use algebra::Trouble;
 use algebra::elementary;
 
@@ -160,6 +160,8 @@ fn span<S: Scalar>(frame: &Frame<S>) -> f64 {
 }
 
 /// Stops at the first free motion.
+///
+/// *Errors*: a mechanism, with the node that moves.
 pub fn stands<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Standing, Fault> {
     let standing = standing(frame, assembly)?;
     match standing.motions.first() {
@@ -172,6 +174,8 @@ pub fn stands<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Sta
 }
 
 /// Stops at the first free motion of an undivided frame: by exact numbers where these are few, else within rounding.
+///
+/// *Errors*: a mechanism, with the node that moves.
 pub fn stands_undivided(frame: &Frame<f64>, exact: Option<&Frame<symbolic::Rational>>) -> Result<Standing, Fault> {
     let simple = frame.divided(1);
     let assembly = Assembly::of(&simple);
@@ -182,9 +186,4 @@ pub fn stands_undivided(frame: &Frame<f64>, exact: Option<&Frame<symbolic::Ratio
         }
         None => stands(&simple, &assembly),
     }
-}
-
-/// Whether some rod needs a stiffness that nobody gave.
-pub fn rigid_only<S>(frame: &Frame<S>) -> bool {
-    frame.rods.iter().all(|r| matches!(r.kind, RodKind::Rigid | RodKind::Bar(None)))
 }

@@ -1,5 +1,6 @@
 //! What can be wrong with a structure that was read without errors: codes S050 to S059.
 
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use words::explain::{Explanation, plain};
 use words::{Message, Text};
@@ -153,7 +154,7 @@ pub fn extreme(frame: &crate::Frame<f64>) -> Fault {
         crate::RodKind::Rigid => None,
     };
     let mut rods: Vec<(&str, f64)> = frame.rods.iter().filter_map(|r| Some((r.name.as_str(), stiffness(r)?))).collect();
-    rods.sort_by(|a, b| a.1.total_cmp(&b.1));
+    rods.arrange_by(|a, b| a.1.total_cmp(&b.1));
     let (low, high) = match (rods.first(), rods.last()) {
         (Some(low), Some(high)) => (*low, *high),
         _ => (("-", 0.0), ("-", 0.0)),

@@ -5,6 +5,7 @@
 //! about its own flexibility only at nodes.
 
 use crate::{Frame, Place, RodKind, Scalar};
+use algebra::arrange::Arrange;
 
 /// A rod or a part of a divided one.
 #[derive(Clone, Debug)]
@@ -142,7 +143,7 @@ fn pieces<S: Scalar>(frame: &Frame<S>, i_rod: usize) -> Vec<(S, S)> {
             cuts[near] = Cut { at: at.clone(), division: None };
         } else {
             cuts.push(Cut { at: at.clone(), division: None });
-            cuts.sort_by(|a, b| a.at.value().total_cmp(&b.at.value()));
+            cuts.arrange_by(|a, b| a.at.value().total_cmp(&b.at.value()));
         }
     }
     // equal parts are equal to the last digit

@@ -7,6 +7,8 @@ use algebra::certify::{Certificate, certify};
 use algebra::{eigen, sparse};
 
 /// The same matrix by columns.
+///
+/// *Errors*: numbers that are not finite.
 pub fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
     let mut triplets = sparse::Triplets::new(matrix.n);
     matrix.entries.iter().for_each(|(i, j, v)| triplets.add(*i, *j, *v));
@@ -17,6 +19,8 @@ pub fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
 const BEYOND: usize = 2;
 
 /// The lowest modes of small matrices, M may be singular, with their certificate.
+///
+/// *Errors*: matrices without modes, or a search that does not settle.
 pub fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
     let (k, m) = (sparse::Sparse::from_dense(n, stiffness).map_err(told)?, sparse::Sparse::from_dense(n, mass).map_err(told)?);
     let modes = match eigen::symmetric(n, stiffness, mass) {
@@ -27,6 +31,8 @@ pub fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> 
 }
 
 /// The lowest modes of sparse matrices with their certificate.
+///
+/// *Errors*: matrices without modes, or a search that does not settle.
 pub fn lowest_sparse(k: &Sparse<f64>, m: &Sparse<f64>, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
     let (k, m) = (compressed(k)?, compressed(m)?);
     let modes = eigen::lowest(&k, &m, count + BEYOND, eigen::Options::default()).map_err(told)?.modes;

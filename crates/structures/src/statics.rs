@@ -10,6 +10,7 @@ use crate::assembly::Bond;
 use crate::loads::{Carried, Loading, loading};
 use crate::{Assembly, Frame, Load, RodKind, Scalar, dense, elements, faults};
 use algebra::Trouble;
+use algebra::arrange::Arrange;
 
 /// The static state under loads.
 #[derive(Clone, Debug)]
@@ -137,6 +138,8 @@ fn undetermined<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, multipliers
 }
 
 /// A solver of K q = f by dense elimination.
+///
+/// *Errors*: of the solver: a singular matrix, which is a mechanism.
 pub fn dense_solver<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> impl Fn(&[S]) -> Result<Vec<S>, Fault> {
     let n = assembly.n();
     let k = assembly.stiffness(frame).dense();
@@ -190,7 +193,7 @@ impl<S: Scalar> Statics<S> {
             let carried = &self.carried[i];
             let mut cuts: Vec<S> = carried.points.iter().map(|p| p.0.clone()).collect();
             cuts.push(part.length.clone());
-            cuts.sort_by(|a, b| a.value().total_cmp(&b.value()));
+            cuts.arrange_by(|a, b| a.value().total_cmp(&b.value()));
             let mut from = S::zero();
             for (passed, cut) in cuts.into_iter().enumerate() {
                 let pieces = if carried.distributed.is_empty() { 1 } else { between + 1 };
@@ -224,7 +227,7 @@ impl<S: Scalar> Statics<S> {
             moment = moment.add(&q[0][1].mul(&S::ratio(2, 1)).add(&at(1)).mul(x).mul(x).div(&S::ratio(6, 1)));
         }
         let mut points: Vec<&(S, [S; 3])> = carried.points.iter().collect();
-        points.sort_by(|a, b| a.0.value().total_cmp(&b.0.value()));
+        points.arrange_by(|a, b| a.0.value().total_cmp(&b.0.value()));
         for (at, force) in points.into_iter().take(passed) {
             normal = normal.sub(&force[0]);
             shear = shear.add(&force[1]);

@@ -15,6 +15,7 @@ use crate::loads::loading;
 use crate::lowest::{compressed, lowest_dense, lowest_sparse};
 use crate::reduced::{Condensation, Reduced, displacements, reduce};
 use crate::{Assembly, Frame, Load, dense, faults};
+use algebra::arrange::Arrange;
 use algebra::certify::Certificate;
 use algebra::eigen::Modes;
 use algebra::factor::Factored;
@@ -62,7 +63,7 @@ impl Substructure {
         let shapes = |of: &Substructure| (0..k).map(|j| unit(column(of, j))).collect::<Vec<_>>();
         let (old, new) = (shapes(other), shapes(self));
         let mut pairs: Vec<(f64, usize, usize)> = (0..k * k).map(|p| (p / k, p % k)).map(|(i, j)| (dot(&old[i], &new[j]), i, j)).collect();
-        pairs.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+        pairs.arrange_by(|a, b| b.0.abs().total_cmp(&a.0.abs()).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut from: Vec<Option<(usize, f64)>> = vec![None; k];
         let mut taken = vec![false; k];
         for (like, i, j) in pairs {

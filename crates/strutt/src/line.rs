@@ -165,6 +165,15 @@ fn metavar(takes: Takes) -> &'static str {
     }
 }
 
+/// Which options are values of a study.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Taken {
+    /// All that are given.
+    All,
+    /// Those in place of keys: the others stand in a study that the command line writes.
+    Instead,
+}
+
 /// Options with their values as texts.
 pub struct Line<'a> {
     study: &'a dyn Study,
@@ -216,14 +225,14 @@ impl<'a> Line<'a> {
         Ok(Some(text))
     }
 
-    /// The values in place of those of the file; `of` is the study they are for, `fresh` whether the command line writes it itself.
+    /// The values in place of those of the file; `of` is the study they are for.
     ///
     /// # Errors
     /// A value is none (C009), a result does not exist (C008).
-    pub fn values(&self, machine: &Machine, (of, fresh): (&Asked, bool)) -> Result<Asked, Failure> {
+    pub fn values(&self, machine: &Machine, (of, taken): (&Asked, Taken)) -> Result<Asked, Failure> {
         let mut asked = Asked::new(self.study.kind().name);
         for key in self.given() {
-            if fresh && key.option.is_some_and(|line| line.way != Way::Instead) {
+            if taken == Taken::Instead && key.option.is_some_and(|line| line.way != Way::Instead) {
                 continue;
             }
             let texts = self.texts(key).unwrap_or_default();

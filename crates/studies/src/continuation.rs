@@ -13,7 +13,7 @@ use super::{Found, Given, Interrupts, Repeats, Results, Study, agreed, idle, ove
 use crate::Failure;
 use crate::equilibrium;
 use crate::machine::{self, Machine, explained as in_symbols};
-use crate::periodic::{self, no_parameter, value_of};
+use crate::periodic;
 use crate::results::finite::checked;
 use crate::results::{Fact, Rows};
 use crate::watch::{Lap, Watch};
@@ -230,7 +230,7 @@ impl Study for Branches {
 fn beside(machine: &Machine, second: &Beside) -> Result<Second, Notice> {
     let ([from, to], here) = (second.range, second.here);
     if here.is_nan() {
-        return Err(no_parameter(machine, &second.name));
+        return Err(machine.no_number(&second.name));
     }
     if !(from..=to).contains(&here) {
         let name = &second.name;
@@ -279,7 +279,7 @@ fn free(
 
 /// Follows what is asked for.
 fn diagram(machine: &Machine, study: &Branched, watch: &mut Watch) -> Result<Diagram, Notice> {
-    let here = value_of(machine, &study.name).ok_or_else(|| no_parameter(machine, &study.name))?;
+    let here = machine.number(&study.name)?;
     let start = if (study.from..=study.to).contains(&here) { here } else { study.from };
     let second = study.second.as_ref().map(|second| beside(machine, second)).transpose()?;
     let mut family = Bound::new(machine, study);

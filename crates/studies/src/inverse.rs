@@ -59,7 +59,7 @@ impl Study for Inverse {
         Some(forces(machine, &Simulate::of(asked), watch))
     }
     fn of_file(&self) -> &'static [&'static [&'static str]] {
-        &[MOTIONS]
+        &[&["inverse"], MOTIONS]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         let (columns, drawn) = (given.line.has("outputs"), given.drawn);

@@ -13,6 +13,7 @@ use crate::machine::{self, Machine, explained};
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
+use algebra::arrange::Arrange;
 use analysis::System;
 use analysis::dataset::{Extreme, Trail};
 use analysis::studies::kinematics::{Place, Way, follow};
@@ -244,7 +245,7 @@ fn trail(equations: &Equations, ways: &[f64], places: &[Place]) -> Trail {
         .chain(equations.auxiliaries.iter().map(|a| name(a.symbol)))
         .chain(["t".to_owned()]);
     let mut rows: Vec<(f64, &Place)> = ways.iter().copied().zip(places).collect();
-    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    rows.arrange_by(|a, b| a.0.total_cmp(&b.0));
     let states = rows.iter().flat_map(|(_, p)| p.q.iter().chain(&p.auxiliaries).chain([&p.time]).copied()).collect();
     Trail { names: names.collect(), times: rows.iter().map(|r| r.0).collect(), states }
 }

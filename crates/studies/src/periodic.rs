@@ -329,7 +329,7 @@ pub(super) struct Tuning {
 
 /// Changes a parameter until the period is the wanted one: secant steps on logarithmic scale near the value of the file.
 fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch: &mut Watch) -> Result<(Outcome, Option<Tuning>), Notice> {
-    let first = value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
+    let first = machine.number(name)?;
     let mut start: Option<Vec<f64>> = None;
     let mut tried = machine.clone();
     let mut at = |value: f64, watch: &mut Watch| -> Result<(Machine, Outcome), Notice> {
@@ -402,20 +402,6 @@ pub fn reread(machine: &Machine, other: &Machine, study: &Periodic) -> Periodic 
         // what the command line says of the rest holds
         Some(fresh) => Periodic { section: fresh.section, period: fresh.period, ..study.clone() },
         None => study.clone(),
-    }
-}
-
-/// The number of a parameter.
-pub fn value_of(machine: &Machine, name: &str) -> Option<f64> {
-    machine.model.parameters.iter().find(|p| p.name == name)?.number
-}
-
-pub(super) fn no_parameter(machine: &Machine, name: &str) -> Notice {
-    let trouble =
-        Notice::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
-    match words::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
-        Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
-        None => trouble,
     }
 }
 

@@ -130,7 +130,7 @@ impl Study for Motion {
         Some(motion(machine, &Simulate::of(asked), watch))
     }
     fn of_file(&self) -> &'static [&'static [&'static str]] {
-        &[MOTIONS]
+        &[&["simulate"], MOTIONS]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         merged(&KIND, &machine.equations, given)
@@ -184,7 +184,7 @@ pub fn merged(kind: &Kind, equations: &Equations, given: Given) -> Result<Asked,
 /// Nobody says how long (C007).
 pub fn with_values(machine: &Machine, values: &[(&'static str, Value)]) -> Result<Simulate, Failure> {
     let line = values.iter().fold(Asked::new(KIND.name), |line, (key, value)| line.with(key, value.clone()));
-    let of_file = of_file(machine, MOTIONS).cloned();
+    let of_file = of_file(machine, &[KIND.name]).or_else(|| of_file(machine, MOTIONS)).cloned();
     let asked = merged(&KIND, &machine.equations, Given { written: None, of_file, line: &line, drawn: false })?;
     Ok(Simulate::of(&asked))
 }

@@ -9,7 +9,7 @@ mod boundaries;
 mod lyapunov;
 pub(crate) mod plane;
 mod point;
-pub(crate) mod reduction;
+mod reduction;
 mod show;
 mod single;
 mod walk;

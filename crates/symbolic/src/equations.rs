@@ -11,7 +11,7 @@
 //! (a formula over the others, listed so that each uses earlier ones only).
 
 use crate::connections::{Balance, Condition, Impacts, Reaction, Released};
-use crate::{Expr, Graph, Matrix, Mounted, SymbolId};
+use crate::{Expr, Graph, Matrix, Mounted, Substitution, SymbolId};
 use std::sync::Arc;
 use words::Text;
 
@@ -73,6 +73,11 @@ pub struct Equations {
 }
 
 impl Equations {
+    /// The formula without definitions.
+    pub fn inlined(&self, graph: &mut Graph, formula: Expr) -> Expr {
+        self.definitions.iter().rev().fold(formula, |e, d| Substitution::new([(d.symbol, d.formula)]).apply(graph, e))
+    }
+
     /// Equations in which nothing stands yet, over `graph`, with time `t` and room for n accelerations: what is written by hand begins with them.
     pub fn empty(mut graph: Graph, n: usize) -> Equations {
         let time = graph.symbol_id("t", 0);

@@ -281,35 +281,6 @@ impl Graph {
     pub fn expanded(&mut self, e: Expr, limit: usize) -> Option<Expr> {
         expand(self, e, limit, &|_, _| true).map(|p| p.to_expression(self))
     }
-
-    /// e = Σ coefficient·symbol + rest for an expression that is linear in the symbols after multiplying out; coefficients in the order
-    /// of `symbols`, then the rest.
-    pub fn linear_coefficients(&mut self, e: Expr, symbols: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
-        let positions: FxHashMap<Expr, usize> = symbols.iter().enumerate().map(|(i, s)| (*s, i)).collect();
-        let polynomial = expand(self, e, LARGEST_SUM, &|_, _| true)?;
-        let mut parts: Vec<Vec<(Expr, Rational)>> = vec![Vec::new(); symbols.len() + 1];
-        let terms: Vec<(Monomial, Rational)> = polynomial.terms().map(|(m, c)| (m.clone(), c.clone())).collect();
-        for (monomial, coefficient) in terms {
-            let found: Vec<usize> = monomial.iter().filter_map(|(b, _)| positions.get(b).copied()).collect();
-            let slot = match found[..] {
-                [] => symbols.len(),
-                [i] => i,
-                _ => return None,
-            };
-            let mut items = monomial.to_vec();
-            if slot < symbols.len() {
-                items.push((symbols[slot], Rational::MINUS_ONE));
-            }
-            let e = self.monomial(Rational::ONE, &items);
-            if self.reachable(&[e]).iter().any(|e| positions.contains_key(e)) {
-                return None;
-            }
-            parts[slot].push((e, coefficient));
-        }
-        let mut sums: Vec<Expr> = parts.iter().map(|terms| self.linear(Rational::ZERO, terms)).collect();
-        let rest = sums.pop()?;
-        Some((sums, rest))
-    }
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ use super::closing::CLOSED;
 use super::level::Level;
 use super::rank::sort;
 use crate::Fault;
+use algebra::arrange::Arrange;
 use algebra::random::Random;
 use words::Text;
 use words::digits::{rounded, seven_digits};
@@ -106,7 +107,7 @@ impl Bench<'_> {
         let mut defaults: Vec<usize> = (0..self.n).rev().filter(|j| !coordinates[*j].given[k] && !coordinates[*j].guessed[k]).collect();
         if level == Level::Rate {
             // a stable sort: last ones first within each rank
-            defaults.sort_by_key(|j| self.follows(*j));
+            defaults.arrange_by_key(|j| self.follows(*j));
         }
         (sought, defaults)
     }

@@ -15,9 +15,10 @@ use words::Text;
 use super::Undetermined;
 use super::bench::{Bench, listed};
 use crate::Fault;
+use algebra::arrange::Arrange;
 use algebra::qr::Qr;
 use algebra::random::Random;
-use algebra::vectors::norm;
+use algebra::vectors::{Basis, norm};
 
 /// Places around the start that are asked whether reactions are open.
 const AROUND: usize = 9;
@@ -41,23 +42,13 @@ pub(super) fn sort(vectors: &[Vec<f64>]) -> Sorted {
     sort_beside(vectors, norm)
 }
 
-/// Gram-Schmidt, twice is enough; what is left is compared with a `size`.
+/// What is left of a vector is compared with a `size`.
 fn sort_beside(vectors: &[Vec<f64>], size: impl Fn(&[f64]) -> f64) -> Sorted {
-    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let mut basis = Basis::default();
     let mut sorted = Sorted { kept: Vec::new(), relations: Vec::new() };
     for (i, vector) in vectors.iter().enumerate() {
         let length = size(vector);
-        let mut left = vector.clone();
-        for _ in 0..2 {
-            for b in &basis {
-                let share: f64 = b.iter().zip(&left).map(|(b, l)| b * l).sum();
-                left.iter_mut().zip(b).for_each(|(l, b)| *l -= share * b);
-            }
-        }
-        let rest = norm(&left);
-        if length > 0.0 && rest > NOTHING * length {
-            left.iter_mut().for_each(|l| *l /= rest);
-            basis.push(left);
+        if basis.takes(vector, NOTHING * length) {
             sorted.kept.push(i);
         } else {
             sorted.relations.push((i, shares(vectors, &sorted.kept, (i, length))));
@@ -106,7 +97,7 @@ impl Bench<'_> {
         }
         self.evaluate(&x)?;
         let mut rows = self.lasting();
-        rows.sort_by_key(|c| self.equations.conditions[*c].reaction.is_some());
+        rows.arrange_by_key(|c| self.equations.conditions[*c].reaction.is_some());
         let here = self.sorted_rows(&rows);
         if !here.relations.is_empty() {
             let beside = self.beside(&rows, &here)?;

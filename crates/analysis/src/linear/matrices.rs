@@ -106,12 +106,6 @@ impl Matrices {
         }
         Some((z, k))
     }
-
-    /// The same with the stiffness of constraint forces added: C + Σ λ_k ∂²c_k/∂q², row-major n x n.
-    pub fn with_geometric(mut self, term: &[f64]) -> Matrices {
-        self.stiffness.iter_mut().zip(term).for_each(|(c, g)| *c += g);
-        self
-    }
 }
 
 /// (A + Aᵀ)/2 and (A - Aᵀ)/2 of a row-major square matrix.

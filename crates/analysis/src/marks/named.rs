@@ -8,6 +8,7 @@
 use super::crossings::{self, Bracket};
 use super::{Line, bracketed};
 use crate::proxies::proxy::{Piece, Proxies};
+use algebra::arrange::Arrange;
 use words::Text;
 use words::digits::number;
 
@@ -90,7 +91,7 @@ impl Watcher {
             }
         }
         self.started = true;
-        found.sort_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
+        found.arrange_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
         let stops = |e: &Happened| self.events[e.event].stop && along.instant(e.tau) > 0.0;
         if let Some(k) = found.iter().position(stops) {
             found.truncate(k + 1);

@@ -18,6 +18,7 @@ use super::system::{Parts, RestSystem, Row, Rows};
 use super::unknowns::{Impending, Limited, limit_rows, signs};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
+use algebra::arrange::Arrange;
 use algebra::qr;
 use algebra::vectors::norm;
 
@@ -53,7 +54,7 @@ pub fn limiting(
             }
         }
     }
-    found.sort_by(|a, b| a[range.coordinate].total_cmp(&b[range.coordinate]));
+    found.arrange_by(|a, b| a[range.coordinate].total_cmp(&b[range.coordinate]));
     if found.is_empty() {
         let names: Vec<&str> = impending.iter().map(|(r, _)| equations.reactions[*r].name.as_str()).collect();
         let coordinate = &equations.graph.symbol_info(equations.coordinates[range.coordinate].symbols[0]).name;

@@ -10,6 +10,7 @@
 //! Contacts are closed as at the start; while they are few every choice of closed ones is tried, and a place counts only where open gaps are not
 //! negative and closed contacts do not pull.
 
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use symbolic::Equations;
 use words::Text;
@@ -85,7 +86,7 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
         // places at an end of the range belong to it
         let slack = 1e-9 * (to - from);
         found.list.retain(|p| (from - slack..=to + slack).contains(&p.q[coordinate]));
-        found.list.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
+        found.list.arrange_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
     }
     Ok(found)
 }

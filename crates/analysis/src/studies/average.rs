@@ -10,6 +10,7 @@
 //! I. I. Blekhman, Vibrational Mechanics, 2000, part II; V. O. Kononenko, Vibrating Systems with a Limited Power Supply, 1969, ch. 3.
 
 use crate::marks::bracketed;
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use algebra::lu::Lu;
 use std::f64::consts::TAU;
@@ -162,7 +163,7 @@ fn with_peaks<T: Turning + ?Sized>(machine: &T, turns: &[Option<Turn>]) -> Vec<O
         let reached = turn.as_ref().map_or(f64::NEG_INFINITY, |turn| turn.speed);
         let last = all.last().and_then(Option::as_ref).map_or(f64::NEG_INFINITY, |turn| turn.speed);
         let mut inside: Vec<Turn> = between.iter().filter(|t| t.speed > last && t.speed < reached).cloned().collect();
-        inside.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        inside.arrange_by(|a, b| a.speed.total_cmp(&b.speed));
         all.extend(inside.into_iter().map(Some));
         all.push(turn.clone());
     }

@@ -4,6 +4,7 @@
 //! t = 0). An equilibrium of a conservative system is stable when its stiffness K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
 //! work over closed ways (follower forces), and definiteness of the symmetric part is only a hint.
 
+use algebra::arrange::Arrange;
 use words::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
@@ -94,7 +95,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         // places at an end of the range belong to it
         let slack = 1e-9 * (to - from);
         found.retain(|rest| (from - slack..=to + slack).contains(&rest.q[coordinate]));
-        found.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
+        found.arrange_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
         faults.retain(|f| f.code == "S008");
         if found.is_empty() && faults.is_empty() {
             faults.push(nothing_between(&coordinates[coordinate].name, from, to));

@@ -4,6 +4,7 @@ use crate::Fault;
 use crate::peaks::{self, Peak};
 use crate::studies::modes::{Complex, Kind, Mode, Modes};
 use crate::studies::response::{Forced, Point, magnitude, phase};
+use algebra::arrange::Arrange;
 
 /// A largest amplitude.
 #[derive(Clone, Debug, PartialEq)]
@@ -178,7 +179,7 @@ impl Search<'_, '_> {
             let peak = peaks::refine(&mut |w| square(self.value(w)), low, high, 1.0);
             found.push(self.resonance(peak)?);
         }
-        found.sort_by(|a, b| a.omega.total_cmp(&b.omega));
+        found.arrange_by(|a, b| a.omega.total_cmp(&b.omega));
         Ok(found)
     }
 
@@ -322,7 +323,7 @@ impl Search<'_, '_> {
         let row = |i: usize| (0..n).map(|j| matrices.mass[i * n + j] * (x[i].0 * x[j].0 + x[i].1 * x[j].1)).sum::<f64>();
         let total: f64 = (0..n).map(row).sum();
         let mut absorbs: Vec<(usize, f64)> = (0..n).map(|i| (i, row(i) / total)).filter(|(_, s)| *s > SHARE).collect();
-        absorbs.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        absorbs.arrange_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
         Ok(Antiresonance { output: self.k, omega, amplitude, exact: false, absorbs })
     }
 }

@@ -10,6 +10,7 @@
 //!
 //! *Source*: P. C. Müller, W. Schiehlen, Linear Vibrations, ch. 4; L. Meirovitch, Methods of Analytical Dynamics, ch. 9.
 
+use algebra::arrange::Arrange;
 use algebra::cholesky::positive_definite;
 use algebra::elementary;
 use std::cmp::Ordering;
@@ -113,7 +114,7 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         let second: Vec<Mode> = (0..n).filter(|j| values[*j] == 0.0).filter_map(second).collect();
         if !second.is_empty() {
             list.extend(second);
-            list.sort_by(in_order);
+            list.arrange_by(in_order);
         }
     }
     let mut notes = Vec::new();

@@ -14,6 +14,7 @@ pub use faults::{ROUNDED, ambiguous, bad_range, no_period, through_connections};
 
 use faults::{no_load, not_proportional, written_as_number};
 
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use std::f64::consts::PI;
 
@@ -335,7 +336,7 @@ impl<'m> Forced<'m> {
                 }
             }
         }
-        self.components.sort_by(|a, b| a.order.total_cmp(&b.order));
+        self.components.arrange_by(|a, b| a.order.total_cmp(&b.order));
         self.current = self.components.iter().position(|c| (c.order - 1.0).abs() <= SAME).unwrap_or(0);
         if self.components.is_empty() { Err(no_load()) } else { Ok(()) }
     }
@@ -402,6 +403,8 @@ impl<'m> Forced<'m> {
     }
 
     /// M, B, C at a frequency ω; the parameter follows it, and the equilibrium follows the parameter.
+    ///
+    /// *Errors*: no place of rest at this value of the parameter.
     pub fn matrices(&mut self, omega: f64) -> Result<Matrices, Fault> {
         if let Some((parameter, per)) = self.follows {
             let value = pace(omega, per);

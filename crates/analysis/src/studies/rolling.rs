@@ -13,6 +13,7 @@
 //!
 //! *Source*: Ju. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, ch. V and VI.
 
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use words::Text;
 
@@ -162,7 +163,7 @@ pub(super) fn modes(m: &Matrices, names: &[Quantity], normalisation: Normalisati
         let state = stairs.lifted(*root, &pairs(found.vector(j)));
         list.push(mode((root.0 * rate, root.1 * rate), form.shape(&state[..k])));
     }
-    list.sort_by(|a, b| a.omega.total_cmp(&b.omega).then(a.root.0.total_cmp(&b.root.0)));
+    list.arrange_by(|a, b| a.omega.total_cmp(&b.omega).then(a.root.0.total_cmp(&b.root.0)));
     let mut notes = Vec::new();
     for (i, mode) in list.iter_mut().enumerate() {
         notes.extend(normalise(mode, &m.mass, normalisation).map(|what| what(i + 1)));

@@ -205,6 +205,8 @@ pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
 }
 
 /// Every motion must have inertia.
+///
+/// *Errors*: S031, with the motion that has none.
 pub fn check_mass(mass: &[f64], n: usize, names: &[Quantity]) -> Result<(), Fault> {
     let fault = |weak: Weak| massless(names.get(weak.row).map_or("?", |q| q.name.as_str()), weak.pivot);
     Cholesky::new(mass, n).map(|_| ()).map_err(fault)

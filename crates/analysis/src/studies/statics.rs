@@ -13,6 +13,7 @@
 //! A λ without influence on these (a relation among columns) makes the structure statically indeterminate; a displacement that no reaction holds (a
 //! relation among rows) makes it a mechanism, and then it rests only if the loads do no work in that displacement.
 
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use symbolic::connections::Law;
 use symbolic::{Equations, Expr};
@@ -205,7 +206,7 @@ impl System {
             let mut motion: Vec<(usize, f64)> = shares.into_iter().map(|(k, c)| (k, -c / self.scale[k])).collect();
             motion.push((i, 1.0 / self.scale[i]));
             let largest = motion.iter().fold(0.0_f64, |m, (_, c)| m.max(c.abs()));
-            motion.sort_by_key(|(k, _)| *k);
+            motion.arrange_by_key(|(k, _)| *k);
             found.push(motion.into_iter().filter(|(_, c)| c.abs() > NOTHING * largest).map(|(k, c)| (name(k), c / largest)).collect());
         }
         found

@@ -415,6 +415,8 @@ fn dataset(modes: &[Mode], coordinates: &[Quantity], orthogonality: f64, n: usiz
 }
 
 /// Degree of statical indeterminacy and free motions, for reports.
+///
+/// *Errors*: those of the equations of equilibrium.
 pub fn degree(frame: &Frame<f64>) -> Result<usize, Fault> {
     let simple = frame.divided(1);
     Ok(standing(&simple, &Assembly::of(&simple))?.degree())

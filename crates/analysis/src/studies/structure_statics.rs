@@ -3,6 +3,7 @@
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::{Fault, Quantity};
+use algebra::arrange::Arrange;
 use structures::equilibrium::{EXACT, SEARCHED, Standing, stands};
 use structures::statics::{Solver, Statics, Station, dense_solver, product, solve, sparse_solver};
 use structures::truss::{Joint, Section, is_truss, joints, sections};
@@ -170,7 +171,7 @@ fn common<S: Scalar>(diagrams: &mut [Vec<Vec<Station<S>>>]) {
     let rods = diagrams.first().map_or(0, Vec::len);
     for rod in 0..rods {
         let mut cuts: Vec<S> = diagrams.iter().flat_map(|d| d[rod].iter().map(|s| s.s.clone())).collect();
-        cuts.sort_by(|a, b| a.value().total_cmp(&b.value()));
+        cuts.arrange_by(|a, b| a.value().total_cmp(&b.value()));
         cuts.dedup();
         for diagram in diagrams.iter_mut() {
             diagram[rod] = resampled(&diagram[rod], &cuts);

@@ -10,6 +10,7 @@
 //! Accelerations are those of the equations of motion. The audit is independent of the decomposition: the change of momentum between any
 //! two nodes is the impulse of the equations' own forces, evaluated over time.
 
+use algebra::arrange::Arrange;
 use algebra::elementary;
 use std::f64::consts::{PI, TAU};
 
@@ -487,7 +488,7 @@ impl<'f, 'm> Run<'f, 'm> {
         let peak = |v: &[f64]| v.iter().fold(f64::NEG_INFINITY, |m, x| m.max(sign * x));
         let mut order: Vec<usize> = (0..self.panels.count()).collect();
         let peaks: Vec<f64> = values.chunks(NODES).map(peak).collect();
-        order.sort_by(|a, b| peaks[*b].total_cmp(&peaks[*a]).then(a.cmp(b)));
+        order.arrange_by(|a, b| peaks[*b].total_cmp(&peaks[*a]).then(a.cmp(b)));
         let mut best = (f64::NEG_INFINITY, 0.0);
         // between two nodes a sine rises by less than this share of its range
         let lowest = peaks.iter().copied().chain(values.iter().map(|v| sign * v)).fold(f64::INFINITY, f64::min);

@@ -5,6 +5,7 @@
 //! which mode is which does not depend on the number of values. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
 //! multiples of the speed at which the loads act. A frequency is |λ|, a frequency with damping |Im λ|; the lines are those of the latter.
 
+use algebra::arrange::Arrange;
 use words::Text;
 
 use crate::dataset::{Column, Dataset, Missing};
@@ -144,7 +145,7 @@ fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) -> Vec<usize> {
         a.cmp(&b)
     };
     let mut list: Vec<usize> = (0..tracks).collect();
-    list.sort_by(|a, b| order(*a, *b));
+    list.arrange_by(|a, b| order(*a, *b));
     for here in slots {
         *here = list.iter().map(|j| here.get(*j).cloned().flatten()).collect();
     }

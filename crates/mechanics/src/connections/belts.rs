@@ -3,7 +3,7 @@
 use super::common::keys::{CARRIER, RADII, WHEELS, table};
 use super::common::made::Made;
 use super::common::reading::Space;
-use super::common::wheels::{self, components};
+use super::common::wheels::{self, Senses, components};
 use super::row::Row;
 use crate::formula::Context;
 use crate::keys::{LABEL, TableSpec, Type, may};
@@ -45,12 +45,12 @@ const KEYS: TableSpec = table(
 );
 
 fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Made> {
-    let crossed = fields.flag(reader, "crossed").unwrap_or(false);
+    let senses = if fields.flag(reader, "crossed").unwrap_or(false) { Senses::Opposite } else { Senses::Equal };
     let strands = match fields.has("pretension") {
         true => Strands::Pretension(pretension(reader, fields)?),
         false => Strands::Open,
     };
-    wheels::read(reader, fields, space, (crossed, strands))
+    wheels::read(reader, fields, space, (senses, strands))
 }
 
 /// Half the sum of the tensions.

@@ -42,5 +42,5 @@ fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Opti
         Some((word, span)) => Strands::Slack { positive: choose(reader, &word, span, &["+", "-"])? == 0 },
         None => Strands::Open,
     };
-    wheels::read(reader, fields, space, (false, strands))
+    wheels::read(reader, fields, space, (wheels::Senses::Equal, strands))
 }

@@ -13,7 +13,6 @@ use crate::reader::{Fields, Reader};
 use crate::scene::kinematics::Kinematics;
 use crate::scene::pathways::{Given, located};
 use crate::scene::requests::Resolver;
-use crate::scene::wrench::Act;
 use crate::scene::{Found, Scene};
 use crate::units::Dimension;
 use symbolic::{Expr, SymbolId};
@@ -119,11 +118,8 @@ fn components(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
     let given = if *on_rates { Given::Rates } else { Given::Pathway(Measure::Other) };
     let acts = located(scene, kinematics, resolver, (&connection.name, *zero), given)?;
     let zero = resolver.resolve(scene, kinematics, *zero)?;
-    Ok(vec![constraint(&connection.name, (zero, *on_rates), acts)])
-}
-
-fn constraint(name: &str, (zero, on_rates): (Expr, bool), acts: Vec<Act>) -> Component {
+    let (place, rate) = if *on_rates { (None, Some(zero)) } else { (Some(zero), None) };
+    let name = &connection.name;
     let label = Text::new(format!("constraint {name}"), format!("связь {name}"));
-    let (place, rate) = if on_rates { (None, Some(zero)) } else { (Some(zero), None) };
-    Component { place, rate, ..Component::ideal((Part::Force, "λ", ""), label, acts) }
+    Ok(vec![Component { place, rate, ..Component::ideal((Part::Force, "λ", ""), label, acts) }])
 }

@@ -39,5 +39,6 @@ const KEYS: TableSpec = table(
 
 fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Made> {
     let internal = fields.flag(reader, "internal").unwrap_or(false);
-    wheels::read(reader, fields, space, (!internal, Strands::Teeth))
+    let senses = if internal { wheels::Senses::Equal } else { wheels::Senses::Opposite };
+    wheels::read(reader, fields, space, (senses, Strands::Teeth))
 }

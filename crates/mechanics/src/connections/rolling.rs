@@ -106,8 +106,12 @@ fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Opti
     let held = fields.flag(reader, "held").unwrap_or(true);
     let leaves = fields.flag(reader, "leaves").unwrap_or(false);
     let restitution = restitution(reader, fields);
-    if let Some(fault) = unheld(fields, (held, leaves)) {
-        reader.fault(fault);
+    let idle = match leaves {
+        true => (!held).then_some("leaves"),
+        false => fields.has("restitution").then_some("restitution"),
+    };
+    if let Some(key) = idle {
+        reader.fault(cannot_leave(fields, key));
         return None;
     }
     let on = wheel.as_ref().map_or(FrameId::GROUND, |w| w.on);
@@ -123,20 +127,17 @@ fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Opti
 }
 
 /// Only a wheel that is held by its track alone can leave it, and land again.
-fn unheld(fields: &Fields, (held, leaves): (bool, bool)) -> Option<Notice> {
-    let key = if leaves && !held { "leaves" } else { "restitution" };
-    (leaves && !held || !leaves && fields.has("restitution")).then(|| {
-        Notice::piece(
-            "M080",
-            fields.span_of(key),
-            format!("`{key}` has no meaning for a wheel that cannot leave its track"),
-            format!("`{key}` не имеет смысла: колесо не может оторваться от опоры"),
-        )
-        .help(
-            "leaves = true needs coordinates that let the wheel leave, and no held = false; restitution needs leaves = true",
-            "для leaves = true нужны координаты, допускающие отрыв, и не нужно held = false; restitution — только вместе с leaves = true",
-        )
-    })
+fn cannot_leave(fields: &Fields, key: &'static str) -> Notice {
+    Notice::piece(
+        "M080",
+        fields.span_of(key),
+        format!("`{key}` has no meaning for a wheel that cannot leave its track"),
+        format!("`{key}` не имеет смысла: колесо не может оторваться от опоры"),
+    )
+    .help(
+        "leaves = true needs coordinates that let the wheel leave, and no held = false; restitution needs leaves = true",
+        "для leaves = true нужны координаты, допускающие отрыв, и не нужно held = false; restitution — только вместе с leaves = true",
+    )
 }
 
 fn line<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, on: FrameId) -> Option<Track> {

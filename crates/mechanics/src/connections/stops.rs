@@ -127,7 +127,14 @@ fn components(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
     let clearance = resolver.resolve(scene, kinematics, *clearance)?;
     let normal = resolver.resolve(scene, kinematics, *restitution)?;
     let restitution = [normal, resolver.resolve(scene, kinematics, *tangential)?];
-    Ok(vec![stop(scene, (&connection.name, *gap), &path, (clearance, *above, restitution, *rebound))])
+    let way = if *above { Way::Above } else { Way::Below };
+    Ok(vec![stop(scene, (&connection.name, *gap), &path, (clearance, way, restitution, *rebound))])
+}
+
+/// Where the pathway stays.
+enum Way {
+    Above,
+    Below,
 }
 
 /// gap = pathway - clearance, or clearance - pathway.
@@ -135,14 +142,15 @@ fn stop(
     scene: &mut Scene,
     (name, pathway): (&str, Pathway),
     path: &Path,
-    (clearance, above, restitution, rebound): (Expr, bool, [Expr; 2], Rebound),
+    (clearance, way, restitution, rebound): (Expr, Way, [Expr; 2], Rebound),
 ) -> Component {
-    let gap = if above { scene.graph.sub(path.value, clearance) } else { scene.graph.sub(clearance, path.value) };
-    let acts = if above {
-        path.acts.clone()
-    } else {
-        let minus = scene.graph.int(-1);
-        path.acts.iter().map(|act| act.times(scene, minus)).collect()
+    let (gap, acts) = match way {
+        Way::Above => (scene.graph.sub(path.value, clearance), path.acts.clone()),
+        Way::Below => {
+            let gap = scene.graph.sub(clearance, path.value);
+            let minus = scene.graph.int(-1);
+            (gap, path.acts.iter().map(|act| act.times(scene, minus)).collect())
+        }
     };
     let (letter, unit) = effort(pathway, "M", "N");
     let label = Text::new(format!("stop {name}"), format!("упор {name}"));

@@ -52,6 +52,8 @@ pub struct Loads {
 }
 
 /// Collects everything that acts.
+///
+/// *Errors*: those of all elements.
 pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Loads, Vec<Notice>> {
     let mut loads = Loads::default();
     let mut errors = Vec::new();

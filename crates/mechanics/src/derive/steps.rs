@@ -31,8 +31,7 @@ pub fn write(
     }
     steps.extend(conditions(scene, connected));
     steps.extend(generalized_forces(scene, motion));
-    let reacting = connected.reactions.iter().any(|r| !r.forces.is_empty());
-    steps.push(derivatives(scene, kinetic, (motion, reacting)));
+    steps.push(derivatives(scene, (kinetic, motion), connected));
     steps
 }
 
@@ -171,7 +170,8 @@ fn generalized_forces(scene: &mut Scene, motion: &Motion) -> Option<Step> {
 }
 
 /// ∂T/∂q', d/dt ∂T/∂q', ∂T/∂q, ∂Π/∂q, ∂Φ/∂q' for every coordinate.
-fn derivatives(scene: &mut Scene, kinetic: &Kinetic, (motion, reacting): (&Motion, bool)) -> Step {
+fn derivatives(scene: &mut Scene, (kinetic, motion): (&Kinetic, &Motion), connected: &Connected) -> Step {
+    let reacting = connected.reactions.iter().any(|r| !r.forces.is_empty());
     let acts = |scene: &Scene, forces: &[Expr]| forces.iter().any(|f| !scene.graph.is_zero(*f));
     let potential = acts(scene, &motion.forces.conservative);
     let resisting = acts(scene, &motion.forces.resisting);

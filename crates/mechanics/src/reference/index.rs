@@ -4,6 +4,7 @@ use super::formulas;
 use super::link::{self, INDEX, Place, file, heading, path, pick};
 use crate::asked::Kinds;
 use crate::fields::{self, Words};
+use algebra::arrange::Arrange;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use words::Language;
@@ -45,7 +46,7 @@ fn tables(out: &mut String, language: Language) {
     let _ = writeln!(out, "## {}\n", pick(language, ("Tables", "Таблицы")));
     let _ = writeln!(out, "{}\n|---|---|", pick(language, ("| table | meaning |", "| таблица | смысл |")));
     let mut all: Vec<Place> = link::places().collect();
-    all.sort_by_key(|p| p.table.name);
+    all.arrange_by_key(|p| p.table.name);
     for place in all {
         let about = pick(language, place.table.about);
         let sentence = about.split_once(". ").map_or(about, |(first, _)| first).trim_end_matches('.');

@@ -15,6 +15,7 @@ mod vanish;
 pub mod wrench;
 
 use crate::model::{Axis, Class, Inertia, Model, Origin};
+use algebra::arrange::Arrange;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use symbolic::{Derivation, Expr, Function, Graph, Node, Occurrence, Substitution, SymbolId, Textbook};
@@ -278,7 +279,7 @@ impl<'m> Scene<'m> {
         }
         // fewer primes first, then in the order of the parameters: a formula with k primes uses formulas with at most k primes, and
         // among those with k only of earlier parameters
-        found.sort_by_key(|(_, _, i, primes)| (*primes, *i));
+        found.arrange_by_key(|(_, _, i, primes)| (*primes, *i));
         found
     }
 }

@@ -7,6 +7,8 @@
 use super::{Scene, Vector};
 use crate::model::{ParameterDecl, ParameterValue};
 use algebra::elementary;
+use algebra::random::Random;
+use algebra::vectors::{Basis, norm};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, SymbolId};
 
@@ -79,8 +81,8 @@ impl Scene<'_> {
 
     /// Values of all symbols: near the start of the model, parameters near their numbers.
     fn random_point(&self, trial: u64) -> FxHashMap<SymbolId, f64> {
-        let mut random = Sequence(trial.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5bd1_e995);
-        self.point(&mut || random.next())
+        let mut random = Random::new(trial.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5bd1_e995);
+        self.point(&mut || random.between(-1.0, 1.0))
     }
 
     fn point(&self, random: &mut dyn FnMut() -> f64) -> FxHashMap<SymbolId, f64> {
@@ -154,37 +156,10 @@ fn with_size(graph: &Graph, root: Expr, point: &FxHashMap<SymbolId, f64>) -> (f6
     known[&root]
 }
 
-/// Rank of vectors of three components, one after another (Gram-Schmidt, twice is enough).
+/// Rank of vectors of three components, one after another.
 fn span(values: &[f64]) -> usize {
-    let mut basis: Vec<[f64; 3]> = Vec::new();
-    for vector in values.chunks_exact(3) {
-        let length = vector.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let mut left = [vector[0], vector[1], vector[2]];
-        for _ in 0..2 {
-            for b in &basis {
-                let share: f64 = b.iter().zip(&left).map(|(b, l)| b * l).sum();
-                left.iter_mut().zip(b).for_each(|(l, b)| *l -= share * b);
-            }
-        }
-        let rest = left.iter().map(|v| v * v).sum::<f64>().sqrt();
-        // what is left of a dependent vector of three numbers is rounding, 1e-15; directions of bodies differ by more than a nanoradian
-        if length > 0.0 && rest > 1e-9 * length {
-            basis.push(left.map(|l| l / rest));
-        }
-    }
-    basis.len()
-}
-
-/// Numbers between -1 and 1 (splitmix64).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
+    // what is left of a dependent vector of three numbers is rounding, 1e-15; directions of bodies differ by more than a nanoradian
+    const NOTHING: f64 = 1e-9;
+    let mut basis = Basis::default();
+    values.chunks_exact(3).filter(|vector| basis.takes(vector, NOTHING * norm(vector))).count()
 }

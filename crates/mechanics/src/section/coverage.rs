@@ -2,6 +2,7 @@
 //! In each piece of a strip the number of parts added less those removed must be 0 or 1.
 
 use super::part::Part;
+use algebra::arrange::Arrange;
 
 /// What the parts cover.
 #[derive(Clone, Debug, Default)]
@@ -46,7 +47,7 @@ pub fn cover(parts: &[Part]) -> Coverage {
         }
         active.retain(|&k| sides[k].high[1] >= middle);
         let mut crossings: Vec<(f64, usize)> = active.iter().map(|&k| (sides[k].at(middle), k)).collect();
-        crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        crossings.arrange_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut inside = vec![false; parts.len()];
         for two in crossings.windows(2) {
             let part = sides[two[0].1].part;
@@ -86,7 +87,7 @@ fn sides(parts: &[Part]) -> Vec<Side> {
             }
         }
     }
-    sides.sort_by(|a, b| a.low[1].total_cmp(&b.low[1]));
+    sides.arrange_by(|a, b| a.low[1].total_cmp(&b.low[1]));
     sides
 }
 

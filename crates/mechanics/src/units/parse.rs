@@ -64,6 +64,9 @@ pub(crate) fn is_quantity(text: &str) -> bool {
 }
 
 /// Reads a quantity whose dimension is known, as on the command line: a bare number counts as SI.
+///
+/// # Errors
+/// What is no quantity, or one of another dimension.
 pub fn parse_quantity(text: &str, expected: &Dimension) -> Result<f64, Notice> {
     let quantity = parse_number_or_quantity(text)?;
     let dimension = quantity.unit.dimension;
@@ -87,6 +90,9 @@ pub fn parse_angular_rate(text: &str) -> Result<f64, Notice> {
 }
 
 /// Reads `number` or `number unit`.
+///
+/// # Errors
+/// M020: no number; those of [`parse_unit`].
 pub fn parse_number_or_quantity(text: &str) -> Result<Quantity, Notice> {
     let start = text.len() - text.trim_start().len();
     let body = text.trim();
@@ -251,6 +257,9 @@ pub(crate) fn superscript(text: &str) -> Option<(i32, usize)> {
 }
 
 /// Reads a unit: `N m s/rad`, `kg*m^2`, `кг·м²`, `1/s`, `m^(1/2)`.
+///
+/// # Errors
+/// M021: what is no unit.
 pub fn parse_unit(text: &str) -> Result<Unit, Notice> {
     if text.len() > 200 {
         return Err(Notice::piece("M021", 0..text.len(), "this unit is longer than 200 bytes", "обозначение единицы длиннее 200 байт"));

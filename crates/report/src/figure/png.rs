@@ -38,6 +38,9 @@ pub fn of_svg(svg: &str) -> Result<Vec<u8>, Error> {
 mod pixels {
     use super::Error;
 
+    /// A picture made of pixels.
+    ///
+    /// *Errors*: always, since this program draws none.
     pub fn of_svg(_: &str) -> Result<Vec<u8>, Error> {
         Err(Error::Absent)
     }
@@ -87,6 +90,9 @@ mod pixels {
         out
     }
 
+    /// A picture made of pixels.
+    ///
+    /// *Errors*: what is no drawing, or one without an area.
     pub fn of_svg(svg: &str) -> Result<Vec<u8>, Error> {
         let svg = &without_marks(svg);
         let options = usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };

@@ -3,7 +3,7 @@
 use super::{Exit, judge};
 use crate::args;
 use crate::console::{Console, end_on_interrupts, listen_to_interrupts, quoted};
-use crate::line::Line;
+use crate::line::{Line, Taken};
 use clap::{ArgMatches, FromArgMatches};
 use mechanics::asked::Asked;
 use mechanics::derive::Detail;
@@ -39,7 +39,8 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let of_file = of_file(study, &machine.model.studies[..in_file]);
     let written = fresh.then(|| machine.model.studies.last().cloned()).flatten();
     let base = written.clone().or(of_file.clone()).unwrap_or_default();
-    let values = line.values(&machine, (&base, fresh))?;
+    let taken = if fresh { Taken::Instead } else { Taken::All };
+    let values = line.values(&machine, (&base, taken))?;
     let asked = study.merge(&machine, Given { written, of_file, line: &values, drawn: out.is_some() })?;
     let wants = |extra: Extra| study.extras().contains(&extra) && matches.get_flag(name_of(extra));
     let shard = if study.extras().contains(&Extra::Shard) { shard(matches)? } else { None };

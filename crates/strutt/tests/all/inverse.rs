@@ -115,3 +115,25 @@ fn rows_at_events_and_switches_are_those_of_simulate() {
     let plain = stdout(strutt().arg("inverse").arg(&path).arg("--csv"));
     assert_ne!(plain, stdout(strutt().arg("inverse").arg(&path).args(["--switches", "--csv"])));
 }
+
+/// A study of its own kind is that of a command, wherever others stand in the file: the work is that of a quarter, half or whole of the motion.
+#[test]
+fn each_command_takes_the_study_of_its_name() {
+    let model = |studies: [(&str, &str); 2]| {
+        let list: String = studies.iter().map(|(kind, until)| format!("[[study]]\nkind = \"{kind}\"\nuntil = \"{until}\"\n")).collect();
+        format!(
+            "gravity = false\n[coordinates]\nx = \"m\"\n[bodies.cart]\norigin = [\"x\", \"0\"]\nmass = \"2 kg\"\n[motions.x]\nalong = \"x\"\n\
+             value = \"1 [m/s^2]*t^2/2\"\n[motors.drive]\nalong = \"x\"\n{list}"
+        )
+    };
+    let path = folder("inverse-beside").join("model.toml");
+    let both = [("simulate", "2 s"), ("inverse", "0.5 s")];
+    for studies in [both, [both[1], both[0]]] {
+        std::fs::write(&path, model(studies)).unwrap();
+        // m v²/2 with v = t
+        let inverse = json(strutt().arg("inverse").arg(&path));
+        assert!((inverse["work"]["drive"].as_f64().unwrap() - 0.25).abs() < WORK, "{inverse}");
+        let (_, rows) = table(&stdout(strutt().arg("simulate").arg(&path).args(["--csv", "--outputs", "x"])));
+        assert!((rows[rows.len() - 1][0] - 2.0).abs() < WORK, "{rows:?}");
+    }
+}

@@ -1,4 +1,4 @@
-//! The same machine gives the same bytes on every machine: ten motions of the gallery with all their digits against stored ones.
+//! The same machine gives the same bytes on every machine: motions of the gallery with all their digits against stored ones, by both methods of integration.
 //!
 //! `UPDATE_BITS=1 cargo test -p strutt --test all same_bits` writes them anew, for a change that is meant to change the last digits.
 
@@ -21,13 +21,26 @@ const MOTIONS: [(&str, &str, &str); 10] = [
     ("thread-pendulum", "3", "0.6"),
 ];
 
+/// The same by the implicit method: relaxation oscillations, connections.
+const STIFF: [(&str, &str, &str); 2] = [("van-der-pol", "20", "2"), ("crank-hoist", "0.1", "0.02")];
+
 #[test]
-fn ten_motions_have_their_stored_bytes() {
+fn motions_have_their_stored_bytes() {
+    hold(&MOTIONS, "auto");
+}
+
+#[test]
+fn stiff_motions_have_their_stored_bytes() {
+    hold(&STIFF, "stiff");
+}
+
+fn hold(motions: &[(&str, &str, &str)], method: &str) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bits");
     let mut others = Vec::new();
-    for (name, until, every) in MOTIONS {
-        let motion = stdout(strutt().args(["simulate", &gallery(name), "--until", until, "--every", every, "--csv", "-q"]));
-        let path = folder.join(format!("{name}.csv"));
+    for (name, until, every) in motions {
+        let motion =
+            stdout(strutt().args(["simulate", &gallery(name), "--until", until, "--every", every, "--method", method, "--csv", "-q"]));
+        let path = folder.join(if method == "stiff" { format!("{name}-stiff.csv") } else { format!("{name}.csv") });
         if std::env::var_os("UPDATE_BITS").is_some() {
             std::fs::write(&path, &motion).unwrap();
         }

@@ -92,6 +92,16 @@ fn every_room_stands_in_the_head_of_its_crate() {
     assert!(missing.is_empty(), "rooms that no head names: {missing:?}");
 }
 
+/// The studies of `analysis` are so many that their folder has a map of its own.
+#[test]
+fn every_algorithm_stands_in_the_map_of_the_studies() {
+    let text = read(&root().join("crates/analysis/src/studies/mod.rs"));
+    let head: String = text.lines().take_while(|line| line.starts_with("//!")).collect();
+    let rooms = text.lines().filter_map(|line| line.split_once("mod ")?.1.strip_suffix(';'));
+    let missing: Vec<&str> = rooms.filter(|room| !head.contains(&format!("`{room}`"))).collect();
+    assert!(text.contains("pub mod simulate;") && missing.is_empty(), "rooms that the map does not name: {missing:?}");
+}
+
 /// What only the command line has: terminals, signals, and pictures made of pixels, which `report` draws when it is asked to.
 const TERMINALS: [&str; 6] = ["clap", "clap_complete", "indicatif", "console", "ctrlc", "annotate-snippets"];
 /// What reaches outside the process.
@@ -134,22 +144,97 @@ fn every_crate_says_its_rooms() {
     }
 }
 
-/// Every file of the library begins with what it is.
-#[test]
-fn every_file_says_what_it_is() {
-    for name in STREET {
-        let crate_ = root().join("crates").join(name).join("src");
-        let mut folders = vec![crate_];
-        while let Some(folder) = folders.pop() {
-            for entry in fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").path()) {
-                if entry.is_dir() {
-                    folders.push(entry);
-                } else if entry.extension().is_some_and(|e| e == "rs") {
-                    assert!(read(&entry).starts_with("//! "), "{} does not say what it is", entry.display());
-                }
+/// All Rust files below a folder.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").path()) {
+            if entry.is_dir() {
+                folders.push(entry);
+            } else if entry.extension().is_some_and(|e| e == "rs") {
+                found.push(entry);
             }
         }
     }
+    found
+}
+
+/// Every file of the library begins with what it is.
+#[test]
+fn every_file_says_what_it_is() {
+    for file in STREET.iter().flat_map(|name| sources(&root().join("crates").join(name).join("src"))) {
+        assert!(read(&file).starts_with("//! "), "{} does not say what it is", file.display());
+    }
+}
+
+/// 600 lines want a reason, 800 are split (STYLE.md).
+#[test]
+fn no_file_is_too_long_to_read() {
+    for file in STREET.iter().flat_map(|name| sources(&root().join("crates").join(name).join("src"))) {
+        let lines = read(&file).lines().count();
+        assert!(lines < 800, "{}: {lines} lines", file.display());
+    }
+}
+
+/// Whoever calls a room from above reads there when it fails; commands fail with what the user reads.
+#[test]
+fn what_can_fail_says_when() {
+    let mut silent = Vec::new();
+    let mut seen = 0;
+    for file in STREET.iter().filter(|name| **name != "strutt").flat_map(|name| sources(&root().join("crates").join(name).join("src"))) {
+        let text = read(&file);
+        let code = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
+        let lines: Vec<&str> = code.lines().collect();
+        for (i, line) in lines.iter().enumerate().filter(|(_, line)| line.trim_start().starts_with("pub fn ")) {
+            // no head has as many lines
+            let head = lines[i..lines.len().min(i + 20)].join(" ");
+            let result = head.split('{').next().unwrap_or_default().split_once("->").map_or("", |(_, result)| result);
+            let about = lines[..i].iter().rev().take_while(|above| above.trim_start().starts_with(['/', '#']));
+            seen += usize::from(result.contains("Result<"));
+            if result.contains("Result<") && !about.into_iter().any(|above| above.contains("Errors")) {
+                silent.push(format!("{}: {}", file.display(), line.trim()));
+            }
+        }
+    }
+    assert!(seen > 200 && silent.is_empty(), "no word of errors:\n{}", silent.join("\n"));
+}
+
+/// The lint against bool arguments does not look into tuples.
+#[test]
+fn no_tuple_of_arguments_hides_a_bool() {
+    let mut hidden = Vec::new();
+    let mut seen = 0;
+    for file in STREET.iter().flat_map(|name| sources(&root().join("crates").join(name).join("src"))) {
+        for line in read(&file).lines() {
+            let Some((_, types)) = line.split_once("): (").filter(|_| !line.trim_start().starts_with("let ")) else { continue };
+            seen += 1;
+            if types.split(')').next().is_some_and(|types| types.split(", ").any(|one| one == "bool")) {
+                hidden.push(format!("{}: {}", file.display(), line.trim()));
+            }
+        }
+    }
+    assert!(seen > 100 && hidden.is_empty(), "\n{}", hidden.join("\n"));
+}
+
+/// The compiler tells of private functions that nobody calls; of public ones it does not know. What clippy.toml offers in place of a forbidden function is called by name there.
+#[test]
+fn what_is_public_is_named_somewhere_else() {
+    let texts: Vec<String> =
+        ["crates", "benches"].iter().flat_map(|folder| sources(&root().join(folder))).map(|file| read(&file)).collect();
+    let clippy = read(&root().join("clippy.toml"));
+    let code = || texts.iter().chain([&clippy]).flat_map(|text| text.lines()).map(|line| line.split("//").next().unwrap_or_default());
+    let mut times: BTreeMap<&str, usize> = BTreeMap::new();
+    let words = code().flat_map(|line| line.split(|c: char| !c.is_alphanumeric() && c != '_'));
+    words.for_each(|word| *times.entry(word).or_default() += 1);
+    let declared = code().filter_map(|line| {
+        let rest = line.trim_start().strip_prefix("pub ")?;
+        let kinds = ["fn ", "const fn ", "static ", "const ", "struct ", "enum ", "trait ", "type "];
+        let name = kinds.iter().find_map(|kind| rest.strip_prefix(kind))?;
+        name.split(|c: char| !c.is_alphanumeric() && c != '_').next()
+    });
+    let dead: BTreeSet<&str> = declared.filter(|name| times.get(name) == Some(&1)).collect();
+    assert!(times.len() > 10_000 && dead.is_empty(), "nobody names {dead:?}");
 }
 
 /// The circles are found at all: a small house with one.

@@ -1,7 +1,6 @@
 //! The equations of a machine for averaging: residuals of all coordinates and their derivatives, as formulas.
 
 use crate::machine::Machine;
-use crate::stability::reduction::inlined;
 use analysis::studies::average::{Instant, Place, Turning};
 use mechanics::asked::Named;
 use symbolic::{Equations, Expr, Graph, SymbolId};
@@ -58,7 +57,7 @@ impl Formulas {
             let force = graph.neg(equations.force[i]);
             terms.push(force);
             let sum = graph.sum(&terms);
-            inlined(equations, graph, sum)
+            equations.inlined(graph, sum)
         };
         let mut roots: Vec<Expr> = order.iter().map(|i| residual(*i, &mut graph)).collect();
         let rest: Vec<[SymbolId; 3]> = order[..n - 1].iter().map(|i| equations.coordinates[*i].symbols).collect();

@@ -6,7 +6,6 @@ use super::tell::{asked_for, balance_words, gaps, json_of, nothing_repeats};
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
-use crate::periodic::{no_parameter, value_of};
 use crate::provenance;
 use crate::repeat::quantity;
 use crate::results::{Fact, Results};
@@ -113,7 +112,7 @@ impl Walk<'_> {
 pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, watch: &mut Watch) -> Result<(), Notice> {
     let (angle, speeds, instant) = asked_for(asked, POINTS)?;
     let (Some(name), Some(from), Some(to)) = (asked.word("parameter"), asked.number("from"), asked.number("to")) else { return Ok(()) };
-    value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
+    machine.number(name)?;
     let formulas = Formulas::of(machine, &angle, instant)?;
     let count = speeds.len();
     let mut walk = Walk { machine: machine.clone(), formulas, name, angle, instant, speeds, gaps: 0, open: Vec::new() };

@@ -4,7 +4,8 @@ use super::laid::{Laid, Terms, output_name};
 use super::verdict::Verdict;
 use crate::machine::Machine;
 use analysis::System;
-use analysis::studies::claims::{Draw, Fit, Places, Sum, fit, samples};
+use analysis::made;
+use analysis::studies::claims::{Draw, Fit, Places, Sum, fit};
 use mechanics::model::ClaimDecl;
 use report::formula::{Form, Printer};
 use symbolic::{Expr, Rational};
@@ -26,7 +27,7 @@ pub fn drawn(laid: &mut Laid) -> Result<Vec<Vec<f64>>, Text> {
     let of_rates = laid.machine.equations.conditions.iter().any(|c| c.place.is_none());
     let places = if of_rates { Places::Carried } else { Places::Anywhere };
     let system = &mut laid.machine.system;
-    let rows = system.start().and_then(|start| samples(system, &start, Draw { end: SPAN, count, places, seed: SEED }));
+    let rows = system.start().and_then(|start| (made::SAMPLES)(system, &start, Draw { end: SPAN, count, places, seed: SEED }));
     rows.map_err(|fault| fault.what.clone())
 }
 

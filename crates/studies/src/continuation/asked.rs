@@ -1,7 +1,7 @@
 //! What is asked of branches.
 
 use crate::machine::Machine;
-use crate::periodic::{self, Periodic, value_of};
+use crate::periodic::{self, Periodic};
 use crate::{equilibrium, stability};
 use analysis::{Quantity, System};
 use mechanics::asked::{Asked, Value};
@@ -114,7 +114,7 @@ fn second(machine: &Machine, asked: &Asked) -> Option<Beside> {
     let range = ranges.first()?;
     let ends = [range.values.first(), range.values.last()].map(|end| end.copied().unwrap_or(0.0));
     // what is no parameter has no value that could be changed
-    let here = value_of(machine, &range.name).unwrap_or(f64::NAN);
+    let here = machine.number(&range.name).unwrap_or(f64::NAN);
     Some(Beside { name: range.name.clone(), range: ends, here })
 }
 

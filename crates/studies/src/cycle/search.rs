@@ -3,7 +3,6 @@
 use super::asked::Cycle;
 use super::tried::{Tried, turned};
 use crate::machine::Machine;
-use crate::periodic::{no_parameter, value_of};
 use words::{Notice, Text};
 
 /// Steps of the searches.
@@ -39,7 +38,7 @@ pub(super) fn driven(
     (name, others): (&str, &[(String, f64)]),
     near: Option<Drive>,
 ) -> Result<Drive, Notice> {
-    let first = value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
+    let first = machine.number(name)?;
     let mut work = |value: f64| -> Result<f64, Notice> {
         let mut values = others.to_vec();
         values.retain(|(n, _)| n != name);
@@ -83,7 +82,7 @@ pub(super) fn flywheel(
     (name, wanted): (&str, f64),
     mut drive: Option<Drive>,
 ) -> Result<(f64, Option<f64>), Notice> {
-    let first = value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
+    let first = machine.number(name)?;
     let mut at = |value: f64| -> Result<f64, Notice> {
         let mut values = vec![(name.to_owned(), value)];
         if let Some(unknown) = &study.unknown {

@@ -3,7 +3,6 @@
 use super::asked::Cycle;
 use crate::failure::in_words;
 use crate::machine::{Machine, explained};
-use crate::periodic::value_of;
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::model::ParameterValue;
 use std::f64::consts::TAU;
@@ -28,7 +27,7 @@ impl Tried {
     /// has a value of its own in every trial, the inertia must be a number before it is tried, too.
     pub fn new(machine: &Machine, study: &Cycle) -> Tried {
         let mut tried = Tried { machine: machine.clone(), held: None, values: Vec::new() };
-        let own = |name: &String| value_of(machine, name).map(|value| (name.clone(), value));
+        let own = |name: &String| machine.number(name).ok().map(|value| (name.clone(), value));
         let is_number = |name: &&String| {
             let mut declared = machine.model.parameters.iter().filter(|p| p.name == **name);
             declared.any(|p| matches!(p.value, ParameterValue::Number { .. }))
@@ -41,6 +40,9 @@ impl Tried {
         tried
     }
 
+    /// Gives the machine these values.
+    ///
+    /// *Errors*: values that the machine cannot have.
     pub fn set(&mut self, values: &[(String, f64)]) -> Result<(), Notice> {
         let same = |(name, value): &(String, f64)| self.values.iter().any(|(n, v)| n == name && v.to_bits() == value.to_bits());
         if self.values.len() == values.len() && values.iter().all(same) {
@@ -67,11 +69,15 @@ impl Tried {
     }
 
     /// The balance, and the uniform rate.
+    ///
+    /// *Errors*: S046, and what the study finds wrong.
     pub fn balance(&mut self, study: &Cycle) -> Result<(Balance, f64), Notice> {
         self.over(study, cycle)
     }
 
     /// The work of the balance.
+    ///
+    /// *Errors*: S046, and what the study finds wrong.
     pub fn work(&mut self, study: &Cycle) -> Result<f64, Notice> {
         Ok(self.over(study, analysis::studies::cycle::work)?.0)
     }
@@ -102,6 +108,8 @@ impl Tried {
     }
 
     /// What is to be said of tracks that would have to pull in the uniform running that [`Tried::balance`] is about; S116 for strands.
+    ///
+    /// *Errors*: S116.
     pub fn pulling(&self, study: &Cycle) -> Result<Vec<Text>, Notice> {
         let Some((_, Some(held))) = &self.held else { return Ok(Vec::new()) };
         let mut held = held.clone();

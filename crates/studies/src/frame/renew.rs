@@ -7,6 +7,7 @@
 use super::bind::bind;
 use super::coordinates::{condensation, coordinates};
 use super::figures::figures;
+use algebra::arrange::Arrange;
 use mechanics::Model;
 use mechanics::model::ParameterValue;
 use mechanics::structure as file;
@@ -175,7 +176,7 @@ fn reach(model: &Model, structure: &file::Structure) -> Vec<SymbolId> {
         }
     }
     // in the order of the file
-    list.sort_by_key(|s| model.parameters.iter().position(|p| p.symbol == *s));
+    list.arrange_by_key(|s| model.parameters.iter().position(|p| p.symbol == *s));
     list
 }
 

@@ -2,6 +2,7 @@
 
 use super::asked::Kinematics;
 use super::centres::Centres;
+use algebra::arrange::Arrange;
 use analysis::dataset::{Column, Extreme};
 use analysis::studies::kinematics::{Observer, Place};
 use analysis::{Dataset, Quantity};
@@ -137,7 +138,7 @@ impl Table<'_> {
         if !self.study.outputs.is_empty() {
             let place = |c: &Column| self.study.outputs.iter().position(|o| *o == c.quantity.name);
             let mut chosen: Vec<usize> = (1..columns.len()).filter(|i| place(&columns[*i]).is_some()).collect();
-            chosen.sort_by_key(|i| place(&columns[*i]));
+            chosen.arrange_by_key(|i| place(&columns[*i]));
             let of = |(k, i): (usize, &usize)| extremes.iter().find(|e| e.column == *i).map(|e| Extreme { column: k + 1, ..e.clone() });
             let extremes = chosen.iter().enumerate().filter_map(of).collect();
             let columns = std::iter::once(0).chain(chosen.iter().copied()).map(|i| columns[i].clone()).collect();

@@ -98,6 +98,9 @@ impl Machine {
     }
 
     /// The same without reading: none where the file has to be read again, and the machine is as it was then.
+    ///
+    /// # Errors
+    /// Values that the machine cannot have.
     pub fn bound(&mut self, values: &[(&str, f64)]) -> Option<Result<(), Failure>> {
         let is_set = |name: &str| self.origin.overrides.iter().any(|(n, _)| n == name);
         // the matrices of a structure are numbers

@@ -33,6 +33,25 @@ impl Machine {
         use analysis::System;
         self.system.states().iter().map(|q| q.name.clone()).collect()
     }
+
+    /// The number of a parameter.
+    ///
+    /// # Errors
+    /// C031: there is none of this name, or it has no number.
+    pub fn number(&self, name: &str) -> Result<f64, Notice> {
+        let declared = self.model.parameters.iter().find(|p| p.name == name);
+        declared.and_then(|p| p.number).ok_or_else(|| self.no_number(name))
+    }
+
+    /// C031, with the name that was meant.
+    pub fn no_number(&self, name: &str) -> Notice {
+        let trouble =
+            Notice::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
+        match words::nearest(name, self.model.parameters.iter().map(|p| p.name.as_str())) {
+            Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            None => trouble,
+        }
+    }
 }
 
 /// From equations to a program with numbers.

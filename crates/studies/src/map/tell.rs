@@ -13,6 +13,7 @@ use crate::results::{Body, Fact, Results};
 use crate::stability;
 use crate::stability::plane::{Over, Plane};
 use crate::watch::Watch;
+use algebra::arrange::Arrange;
 use analysis::dataset::{Column, Labels, Missing};
 use analysis::studies::map::{Grid, Map, map};
 use analysis::{Dataset, Quantity};
@@ -140,7 +141,7 @@ fn table(
 ) -> Dataset {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     let key = |row: &Row| [0, 1].map(|k| row.values.get(k).map_or(f64::NAN, |(_, value)| *value));
-    order.sort_by(|a, b| {
+    order.arrange_by(|a, b| {
         let (a, b) = (key(&rows[*a]), key(&rows[*b]));
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
     });

@@ -1,5 +1,6 @@
 //! What may be said at the end of a calculation, as data; whether it holds and how it is worded stands in [`crate::written`].
 
+use algebra::arrange::Arrange;
 use analysis::Dataset;
 use mechanics::model::Plot;
 use symbolic::Equations;
@@ -42,7 +43,7 @@ pub fn greatest(equations: &Equations, (data, plots): (&Dataset, &[Plot]), langu
     let plotted: Vec<&str> = plots.iter().flat_map(|plot| plot.y.iter().map(String::as_str)).collect();
     let name = |e: &analysis::dataset::Extreme| data.columns[e.column].quantity.name.as_str();
     let mut extremes: Vec<_> = data.extremes.iter().filter(|e| named(name(e))).collect();
-    extremes.sort_by_key(|e| plotted.iter().position(|p| *p == name(e)).unwrap_or(usize::MAX));
+    extremes.arrange_by_key(|e| plotted.iter().position(|p| *p == name(e)).unwrap_or(usize::MAX));
     let one = |e: &analysis::dataset::Extreme| {
         let column = &data.columns[e.column];
         let (value, t) = if e.max.abs() >= e.min.abs() { (e.max, e.t_max) } else { (e.min, e.t_min) };

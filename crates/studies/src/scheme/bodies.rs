@@ -4,6 +4,7 @@ use super::groups::Joint;
 use super::looks::{Look, Wheel};
 use super::numbers::{V3, dot, plus};
 use super::sketch::{Carrier, Sketch};
+use algebra::arrange::Arrange;
 use mechanics::model::FrameId;
 use report::scheme::{P, Place, Rides, S, Via, direction, distance, polar};
 use std::f64::consts::TAU;
@@ -39,7 +40,7 @@ impl Sketch<'_> {
         let mut wheels: Vec<(usize, Wheel)> = (0..self.groups.all.len()).flat_map(of).collect();
         // a circle of the ground itself is drawn by what runs on it
         wheels.retain(|(_, wheel)| wheel.frame != FrameId::GROUND);
-        wheels.sort_by(|a, b| b.1.radius.total_cmp(&a.1.radius));
+        wheels.arrange_by(|a, b| b.1.radius.total_cmp(&a.1.radius));
         for (group, wheel) in wheels {
             let path = match group {
                 // a wheel that stands: it has no group of its own
@@ -306,7 +307,7 @@ impl Sketch<'_> {
 /// The convex hull, by angles about the lowest point.
 fn hull(points: &[P]) -> Vec<P> {
     let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sorted.arrange_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let cross = |o: P, a: P, b: P| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
     let half = |points: &mut dyn Iterator<Item = P>| {
         let mut chain: Vec<P> = Vec::new();

@@ -6,6 +6,7 @@ use super::numbers::{ALIKE, Numbers, STILL, minus, norm};
 use super::sketch::{Act, Carrier, Sketch};
 use crate::connections::pairs;
 use crate::shown::{Role, role};
+use algebra::arrange::Arrange;
 use mechanics::model::Site;
 use report::scheme::{LabelText, P, Place, Rides, S, between, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -127,7 +128,7 @@ fn places(sketch: &Sketch, stages: &[Stage]) -> Vec<Disc> {
     let degree = |g: usize| edges.iter().filter(|e| e.0 == g || e.1 == g).count();
     // an end of a shaft comes first
     let mut order: Vec<usize> = (1..n).collect();
-    order.sort_by_key(|g| (degree(*g) != 1, *g));
+    order.arrange_by_key(|g| (degree(*g) != 1, *g));
     for first in order {
         if discs.iter().any(|d| d.group == first) {
             continue;

@@ -16,6 +16,7 @@ mod touching;
 
 use crate::Finds;
 use crate::machine::Machine;
+use algebra::arrange::Arrange;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
 use analysis::rest::closed_contacts;
@@ -90,7 +91,7 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     let mut found = analysis::rest::places::places(equations, &values, &start, &options)?.list;
     if !guess.is_empty() {
         let far = |q: &[f64]| q.iter().zip(&guesses[0]).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
-        found.sort_by(|a, b| far(&a.q).total_cmp(&far(&b.q)));
+        found.arrange_by(|a, b| far(&a.q).total_cmp(&far(&b.q)));
     }
     let mut first = None;
     for place in found {

@@ -1,5 +1,11 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
+mod found;
+mod tell;
+
+pub use found::{Order, ResponseFound};
+use tell::{columns, own_column, state, to_json};
+
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::plan;
@@ -11,26 +17,24 @@ use crate::small::remarks::{
     unstable,
 };
 use crate::small::source::{load_name, source};
-use crate::small::strands::{self, Slack, Watched};
+use crate::small::strands::{self, Watched};
 use crate::small::{Small, about_rest, timing_notes};
 use crate::wording::Word as Say;
+use algebra::arrange::Arrange;
 use analysis::System;
 use analysis::dataset::Audit;
-use analysis::dataset::{Column, Missing};
 use analysis::marks::pushes::Push;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::limits::unrepeated;
-use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
-use analysis::studies::response::{self as forced, Forced, Point, magnitude, phase};
-use analysis::studies::rest::branch::{Branch, Change};
+use analysis::studies::modes::{Kind, Modes, Normalisation, modes};
+use analysis::studies::response::{self as forced, Forced, Point, magnitude};
+use analysis::studies::rest::branch::Branch;
 use analysis::studies::rest::changes;
 use analysis::studies::rest::degenerate;
 use analysis::studies::superposition::{self, Care, Superposed};
 use analysis::studies::swings::judged;
 use analysis::studies::tracks::tracks;
 use analysis::{Dataset, Fault, Quantity};
-use serde_json::{Map, Value, json};
-use std::f64::consts::TAU;
 use std::sync::Arc;
 use symbolic::equations::Role;
 use symbolic::{Expr, SymbolId};
@@ -50,56 +54,6 @@ const SHOWN: usize = 9;
 const TRACKED: usize = 101;
 /// Largest residual of the superposed motion, relative to its terms.
 const RESIDUAL: f64 = 1e-8;
-
-/// An order with its motion at the frequency that the file gives, and its curve.
-#[derive(Clone, Debug, Default)]
-pub struct Order {
-    /// Multiple of ω.
-    pub order: f64,
-    /// At the frequency that the file gives.
-    pub own: Option<Point>,
-    /// Along the grid; empty for high harmonics of a waveform.
-    pub points: Vec<Point>,
-}
-
-/// What the study found.
-#[derive(Clone, Debug)]
-pub struct ResponseFound {
-    /// The study.
-    pub study: Study,
-    /// Names of the outputs.
-    pub outputs: Vec<Quantity>,
-    /// Peaks of each output.
-    pub resonances: Vec<Resonance>,
-    /// Zeros or least values of each output.
-    pub antiresonances: Vec<Antiresonance>,
-    /// Modes of the machine as the file has it.
-    pub modes: Option<Modes>,
-    /// The response at the frequency that the file gives, at the first order.
-    pub own: Option<Point>,
-    /// All orders of the load, when there are several.
-    pub orders: Vec<Order>,
-    /// Order that the main columns show.
-    pub main: f64,
-    /// All orders together at that frequency.
-    pub superposed: Option<Superposed>,
-    /// Order of each resonance.
-    pub resonance_orders: Vec<f64>,
-    /// Order of each antiresonance.
-    pub antiresonance_orders: Vec<f64>,
-    /// Where the place of rest changes along the frequency's parameter.
-    pub changes: Vec<Change>,
-    /// Strands that would have to push, tracks that would have to pull.
-    pub slack: Vec<Slack>,
-    /// Motions at the frequencies asked for.
-    pub shapes: Vec<Point>,
-    /// The coordinates.
-    pub coordinates: Vec<Quantity>,
-    /// Names of the bodies that each coordinate moves.
-    pub bodies: Vec<Vec<String>>,
-    /// Name of the load, or of the parameter that is its frequency.
-    pub load: Text,
-}
 
 /// Makes the study: a column for the frequency and five for each output.
 pub fn find(machine: &Machine, study: &Study) -> Results {
@@ -134,7 +88,7 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
         kind: NAME,
         alone: Alone::Written { next: Next::Numbers },
         heading: Say::Response.text(),
-        own: to_json(&out),
+        own: to_json(NAME, &out),
         data: provenance::stamp(data, &machine.equations, &machine.model_hash),
         trouble,
         body: Body::Own(Arc::new(out)),
@@ -412,10 +366,10 @@ fn each_order(
     }
     // output after output, as they are asked for
     let mut high: Vec<(f64, Resonance)> = out.resonance_orders.drain(..).zip(out.resonances.drain(..)).collect();
-    high.sort_by_key(|(_, r)| r.output);
+    high.arrange_by_key(|(_, r)| r.output);
     (out.resonance_orders, out.resonances) = high.into_iter().unzip();
     let mut low: Vec<(f64, Antiresonance)> = out.antiresonance_orders.drain(..).zip(out.antiresonances.drain(..)).collect();
-    low.sort_by_key(|(_, a)| a.output);
+    low.arrange_by_key(|(_, a)| a.output);
     (out.antiresonance_orders, out.antiresonances) = low.into_iter().unzip();
     Ok(())
 }
@@ -469,12 +423,6 @@ fn order_name(order: f64) -> String {
     if order == order.round() { format!("{order}") } else { format!("{}", (order * 1e6).round() / 1e6) }
 }
 
-fn own_column(q: &Quantity, tail: &str, label: Text, values: Vec<f64>) -> Column {
-    let quantity =
-        Quantity { name: format!("{}_{tail}", q.name), symbol: format!("{}_{tail}", q.symbol), unit: q.unit.clone(), label, display: None };
-    Column { quantity, values }
-}
-
 /// Bodies with mass whose place or angle changes with each coordinate, directly or with what they stand on.
 fn bodies(machine: &Machine) -> Vec<Vec<String>> {
     let model = &machine.model;
@@ -515,7 +463,7 @@ fn observed(study: &Study, machine: &Machine) -> (Vec<Quantity>, Vec<Expr>) {
     let mut list: Vec<&symbolic::equations::Output> = equations.outputs.iter().filter(wanted).collect();
     // the order asked for
     if !study.outputs.is_empty() {
-        list.sort_by_key(|o| study.outputs.iter().position(|n| *n == o.name));
+        list.arrange_by_key(|o| study.outputs.iter().position(|n| *n == o.name));
     }
     (list.iter().map(|o| quantity(o)).collect(), list.iter().map(|o| o.formula).collect())
 }
@@ -558,154 +506,4 @@ fn grid(study: &Study, found: &Modes, own: Option<f64>) -> Result<Vec<f64>, Faul
         list.dedup();
     }
     Ok(list)
-}
-
-/// ω, f, then amplitude, phase, real and imaginary part and dynamic coefficient of each output.
-fn columns(omegas: &[f64], points: &[Point], outputs: &[Quantity]) -> Vec<Column> {
-    let column = |name: String, symbol: String, unit: &str, label: Text, values: Vec<f64>| Column {
-        quantity: Quantity { name, symbol, unit: unit.into(), label, display: None },
-        values,
-    };
-    let omega = Text::new("frequency of the load", "частота нагрузки");
-    let mut list = vec![
-        column("omega".into(), "omega".into(), "rad/s", omega.clone(), omegas.to_vec()),
-        column("f".into(), "f".into(), "Hz", omega, omegas.iter().map(|w| w / TAU).collect()),
-    ];
-    for (k, q) in outputs.iter().enumerate() {
-        let of = |pick: fn(Complex) -> f64| points.iter().map(|p| pick(p.outputs[k])).collect::<Vec<f64>>();
-        let named = |en: &str, ru: &str| Text::new(format!("{en} of {}", q.name), format!("{ru} {}", q.name));
-        let mut push = |tail: &str, unit: &str, label: Text, values: Vec<f64>| {
-            list.push(column(format!("{}_{tail}", q.name), format!("{}_{tail}", q.symbol), unit, label, values));
-        };
-        push("amplitude", &q.unit, named("amplitude", "амплитуда"), of(magnitude));
-        push("phase", "rad", named("phase", "фаза"), of(phase));
-        push("re", &q.unit, named("real part", "вещественная часть"), of(|z| z.0));
-        push("im", &q.unit, named("imaginary part", "мнимая часть"), of(|z| z.1));
-        let gain: Vec<f64> = points.iter().map(|p| coefficient(p, k)).collect();
-        if points.iter().any(|p| magnitude(p.still[k]) > 0.0 && magnitude(p.still[k]).is_finite()) {
-            push("gain", "1", named("dynamic coefficient", "динамический коэффициент"), gain);
-        }
-    }
-    list
-}
-
-/// |X| over what the load does statically; none where that is nothing or beyond all bounds.
-fn coefficient(p: &Point, k: usize) -> f64 {
-    let still = magnitude(p.still[k]);
-    if still > 0.0 && still.is_finite() { magnitude(p.outputs[k]) / still } else { f64::NAN }
-}
-
-/// Says what the values of the columns of an output mean that are no finite numbers.
-fn state(data: &mut Dataset, output: &str) {
-    let infinite = Text::new(
-        "infinite: a natural frequency without damping, excited by the load",
-        "бесконечна: собственная частота без затухания, возбуждаемая нагрузкой",
-    );
-    let phase = Text::new("no phase where the amplitude is zero or infinite", "фазы нет: амплитуда равна нулю или бесконечна");
-    let still = Text::new(
-        "no dynamic coefficient: statically the load moves this nothing at all, or without bound, or it contains a prescribed motion or the load itself",
-        "коэффициента динамичности нет: статически нагрузка эту величину не меняет или меняет неограниченно, либо в неё входит само заданное движение или сама нагрузка",
-    );
-    let sum = Text::new(
-        "no largest value over a period: no common period, an infinite amplitude, or an output that is not linear in reactions",
-        "наибольшего за период значения нет: нет общего периода, амплитуда бесконечна или величина нелинейно зависит от реакций",
-    );
-    let names: Vec<String> = data.columns.iter().map(|c| c.quantity.name.clone()).collect();
-    for name in names {
-        match name.strip_prefix(output).and_then(|rest| rest.strip_prefix('_')) {
-            Some("phase") => data.state(&name, Missing::Absent, phase.clone()),
-            Some("gain") => {
-                data.state(&name, Missing::Absent, still.clone());
-                data.state(&name, Missing::Unbounded, infinite.clone());
-            }
-            Some("largest") => {
-                data.state(&name, Missing::Absent, sum.clone());
-                data.state(&name, Missing::Unbounded, infinite.clone());
-            }
-            Some(tail) if matches!(tail, "re" | "im") || tail.starts_with("amplitude") => {
-                data.state(&name, Missing::Unbounded, infinite.clone());
-            }
-            _ => {}
-        }
-    }
-}
-
-/// The fields of the study in JSON.
-fn to_json(found: &ResponseFound) -> Map<String, Value> {
-    let mut own = Map::new();
-    own.insert("study".into(), json!(NAME));
-    own.insert("load".into(), json!(found.load.en));
-    let name = |k: usize| found.outputs.get(k).map_or("", |q| q.name.as_str());
-    let resonance = |(r, order): (&Resonance, &f64)| {
-        json!({"output": name(r.output), "order": order, "omega": r.omega / order, "f": r.omega / order / TAU, "load_omega": r.omega, "amplitude": r.amplitude, "phase": r.phase,
-            "dynamic_coefficient": r.gain, "mode": r.mode.map(|m| m + 1), "quality_factor": r.quality, "half_power": r.half_power})
-    };
-    own.insert("resonances".into(), found.resonances.iter().zip(&found.resonance_orders).map(resonance).collect());
-    let anti = |(a, order): (&Antiresonance, &f64)| {
-        let absorbs: Vec<Value> = a
-            .absorbs
-            .iter()
-            .map(|(i, share)| json!({"coordinate": found.coordinates.get(*i).map(|q| q.name.clone()), "energy_share": share, "bodies": found.bodies.get(*i)}))
-            .collect();
-        json!({"output": name(a.output), "order": order, "omega": a.omega / order, "f": a.omega / order / TAU, "load_omega": a.omega, "amplitude": a.amplitude, "zero": a.exact, "absorbed_by": absorbs})
-    };
-    own.insert("antiresonances".into(), found.antiresonances.iter().zip(&found.antiresonance_orders).map(anti).collect());
-    if let Some(modes) = &found.modes {
-        let one = |m: &analysis::studies::modes::Mode| {
-            let quality = if m.ratio == 0.0 { Value::Null } else { json!(0.5 / m.ratio) };
-            json!({"omega": m.omega, "omega_d": m.damped, "damping_ratio": m.ratio, "quality_factor": quality, "kind": m.kind.key()})
-        };
-        own.insert("modes".into(), modes.modes.iter().map(one).collect());
-    }
-    own.insert("at_frequency".into(), found.own.as_ref().map_or(Value::Null, |p| point(found, p)));
-    own.insert("orders".into(), found.orders.iter().map(|o| order_json(found, o)).collect());
-    own.insert("superposed".into(), found.superposed.as_ref().map_or(Value::Null, |s| superposed_json(found, s)));
-    if !found.changes.is_empty() {
-        own.insert("changes".into(), json!(super::modes::changes_json(&found.changes)));
-    }
-    let slack = |s: &Slack| s.bands.iter().map(|[from, to]| json!({"of": s.name, "from": from, "to": to})).collect::<Vec<_>>();
-    own.insert("slack".into(), json!(found.slack.iter().filter(|s| s.contact.is_none()).flat_map(slack).collect::<Vec<_>>()));
-    let touching = |s: &Slack| {
-        s.contact.map(
-            |(change, level)| json!({"of": s.name, "change": change, "bands": s.bands, "load_share": level.share, "omega": level.omega}),
-        )
-    };
-    own.insert("touching".into(), found.slack.iter().filter_map(touching).collect());
-    own.insert("shapes".into(), found.shapes.iter().map(|p| point(found, p)).collect());
-    own
-}
-
-fn order_json(found: &ResponseFound, order: &Order) -> Value {
-    let mut value = order.own.as_ref().map_or_else(|| json!({}), |p| point(found, p));
-    value["order"] = json!(order.order);
-    value
-}
-
-/// Static part, extremes and their instants over a period.
-fn superposed_json(found: &ResponseFound, s: &Superposed) -> Value {
-    let one = |r: &superposition::Range| {
-        let value = |v: (f64, f64)| json!({"value": v.0, "t": v.1, "phase": v.1 * s.omega});
-        json!({"mean": r.mean, "max": value(r.max), "min": value(r.min), "largest": value(r.largest)})
-    };
-    let outputs: Map<String, Value> = found.outputs.iter().zip(&s.outputs).map(|(q, r)| (q.name.clone(), one(r))).collect();
-    json!({"omega": s.omega, "period": s.period, "outputs": outputs, "residual": s.residual})
-}
-
-/// One frequency: outputs and the deformed shape.
-fn point(found: &ResponseFound, p: &Point) -> Value {
-    let complex = |z: Complex| json!({"amplitude": magnitude(z), "phase": phase(z), "re": z.0, "im": z.1});
-    let outputs: Map<String, Value> = found
-        .outputs
-        .iter()
-        .enumerate()
-        .map(|(k, q)| {
-            let mut value = complex(p.outputs[k]);
-            value["static"] = json!(magnitude(p.still[k]));
-            value["dynamic_coefficient"] = json!(coefficient(p, k));
-            (q.name.clone(), value)
-        })
-        .collect();
-    let shape: Map<String, Value> = found.coordinates.iter().zip(&p.coordinates).map(|(q, z)| (q.name.clone(), complex(*z))).collect();
-    let place: Map<String, Value> = found.coordinates.iter().zip(&p.place).map(|(q, v)| (q.name.clone(), json!(v))).collect();
-    json!({"omega": p.omega, "f": p.omega / TAU, "outputs": outputs, "shape": shape, "equilibrium": place})
 }

@@ -1,5 +1,7 @@
 //! Where a quantity of one variable changes its sign: between samples of different signs, and beside extremes between samples of one sign.
 
+use algebra::arrange::Arrange;
+
 /// Halvings of an interval; each ends at neighbouring numbers.
 const HALVINGS: usize = 80;
 /// Steps of the search of an extreme, which shrink the interval by 0.62 each.
@@ -53,7 +55,7 @@ pub(super) fn roots<E>(samples: &[(f64, f64)], smooth: Smooth, mut f: impl FnMut
             found.push(root((x, next.0), back, &mut f)?);
         }
     }
-    found.sort_by(|a, b| a.at.total_cmp(&b.at));
+    found.arrange_by(|a, b| a.at.total_cmp(&b.at));
     Ok(found)
 }
 

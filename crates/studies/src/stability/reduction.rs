@@ -43,7 +43,7 @@ impl Reduction {
         let mut graph = equations.graph.clone();
         let rate = equations.coordinates[0].symbols[1];
         let at_rest = graph.zero();
-        let [inertia, force] = [equations.mass.get(0, 0), equations.force[0]].map(|e| inlined(equations, &mut graph, e));
+        let [inertia, force] = [equations.mass.get(0, 0), equations.force[0]].map(|e| equations.inlined(&mut graph, e));
         let slope = |symbol: SymbolId, graph: &mut Graph| {
             let derivative = graph.derivative(force, symbol);
             let turned = graph.neg(derivative);
@@ -95,12 +95,6 @@ pub(super) fn reduced(own: &mut Option<Reduction>, machine: &Machine, (study, bi
         }
     }
     Ok(())
-}
-
-/// The formula without definitions.
-pub(crate) fn inlined(equations: &Equations, graph: &mut Graph, formula: Expr) -> Expr {
-    let one = |e, d: &symbolic::equations::Definition| Substitution::new([(d.symbol, d.formula)]).apply(graph, e);
-    equations.definitions.iter().rev().fold(formula, one)
 }
 
 /// S142.

@@ -8,7 +8,6 @@ use super::show::Shown;
 use super::single::of_scalar;
 use crate::failure::in_words;
 use crate::machine::Machine;
-use crate::periodic::{no_parameter, value_of};
 use crate::provenance;
 use crate::results::{Body, Fact, Results, Rows};
 use crate::watch::Watch;
@@ -60,7 +59,7 @@ pub(super) fn walk(
     results: &mut Results,
     watch: &mut Watch,
 ) -> Result<(), Notice> {
-    value_of(machine, &range.name).ok_or_else(|| no_parameter(machine, &range.name))?;
+    machine.number(&range.name)?;
     let mut walk = Walk { study, name: &range.name, written: study.in_file(machine), machine: machine.clone(), reduction: None };
     let found = sampled(&mut walk, range, study.points.unwrap_or(VALUES), watch)?;
     results.data = provenance::stamp(dataset(machine, range, &found), &machine.equations, &machine.model_hash);

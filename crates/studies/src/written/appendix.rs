@@ -4,6 +4,7 @@ use super::pen::Pen;
 use super::work::Work;
 use crate::Finds;
 use crate::results::Results;
+use algebra::arrange::Arrange;
 use report::document::Rich;
 use report::table::Column;
 use report::{Block, Cell, Table};
@@ -73,7 +74,7 @@ fn columns(work: &Work, results: &Results) -> Option<(usize, Vec<usize>)> {
     let wanted = |name: &str| plotted.contains(&name) || named(name);
     let mut list: Vec<usize> = (0..data.columns.len()).filter(|i| *i != axis && wanted(&data.columns[*i].quantity.name)).collect();
     // what is plotted comes first
-    list.sort_by_key(|i| !plotted.contains(&data.columns[*i].quantity.name.as_str()));
+    list.arrange_by_key(|i| !plotted.contains(&data.columns[*i].quantity.name.as_str()));
     list.truncate(COLUMNS);
     (!list.is_empty() && data.columns[axis].values.len() > 1).then_some((axis, list))
 }

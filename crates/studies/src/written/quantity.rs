@@ -1,6 +1,7 @@
 //! One line of the calculation: name = formula = the same with its numbers = value with its unit.
 
 use super::work::Work;
+use algebra::arrange::Arrange;
 use mechanics::model::Class;
 use report::document::Formula;
 use report::formula::{Bracket, Layout, Printer, Relation, Sign, value};
@@ -251,7 +252,7 @@ fn joined(common: &[Layout], own: Vec<Layout>) -> Layout {
         _ => 1,
     };
     let mut all: Vec<Layout> = common.iter().cloned().chain(own).collect();
-    all.sort_by_key(rank);
+    all.arrange_by_key(rank);
     let letters = all.split_off(all.iter().take_while(|f| rank(f) == 0).count());
     product(multiplied(all).into_iter().chain(letters).collect())
 }

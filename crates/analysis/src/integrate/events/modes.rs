@@ -19,6 +19,7 @@
 
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
+use algebra::arrange::Arrange;
 
 use super::contacts;
 use crate::integrate::crossings::{Change, Impact, Switch, Verdict, opposite};
@@ -269,7 +270,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             on.iter().map(mode).collect::<Vec<Mode>>()
         };
         let mut all: Vec<Vec<Mode>> = (0..total).map(|code| combination(self, code)).collect();
-        all.sort_by_key(|modes| modes.iter().filter(|m| **m != Mode::Zero).count());
+        all.arrange_by_key(|modes| modes.iter().filter(|m| **m != Mode::Zero).count());
         all.iter().any(|modes| self.try_combination((&on, modes), others))
     }
 

@@ -7,6 +7,7 @@
 
 use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
+use algebra::arrange::Arrange;
 
 use crate::integrate::crossings::Verdict;
 
@@ -83,7 +84,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             };
             all = choices(i).into_iter().flat_map(|mode| all.iter().map(move |set| with(set, mode)).collect::<Vec<_>>()).collect();
             all.retain(|(own, _)| *own < rank);
-            all.sort_by_key(|(own, _)| *own);
+            all.arrange_by_key(|(own, _)| *own);
             all.truncate(RANKED);
         }
         all.truncate(TRIED);

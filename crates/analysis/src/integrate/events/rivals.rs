@@ -9,6 +9,7 @@
 use crate::integrate::taylor::{Flow, Work};
 use crate::system::TouchLaw;
 use crate::{Fault, GuardKind, Mode, System, Tie};
+use algebra::arrange::Arrange;
 
 use crate::integrate::crossings::{Rival, opposite};
 
@@ -74,7 +75,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             let options = self.options_of(p, &held);
             let with = |(n, set): &(usize, Set), (more, own): &(usize, Set)| (n + more, [&set[..], &own[..]].concat());
             all = all.iter().flat_map(|set| options.iter().map(move |own| with(set, own))).collect();
-            all.sort_by_key(|(differences, _)| *differences);
+            all.arrange_by_key(|(differences, _)| *differences);
             all.truncate(TRIED);
         }
         all.into_iter().filter(|(differences, _)| *differences > 0).map(|(_, set)| set).collect()

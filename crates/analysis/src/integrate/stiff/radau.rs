@@ -14,6 +14,7 @@
 
 use crate::Fault;
 use algebra::Trouble;
+use algebra::arrange::Arrange;
 use algebra::complex::Complex;
 use algebra::eigen;
 use algebra::elementary;
@@ -159,7 +160,7 @@ fn eigenvalues(a: &[f64], s: usize) -> Result<Vec<Eigen>, Fault> {
             row: inverse[k * s..(k + 1) * s].to_vec(),
         })
         .collect();
-    found.sort_by(|x, y| x.value.im.total_cmp(&y.value.im));
+    found.arrange_by(|x, y| x.value.im.total_cmp(&y.value.im));
     Ok(found)
 }
 

@@ -120,6 +120,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     }
 
     /// One step towards `end`, at most to it. Afterwards [`Flow::step`] is the dense output and [`Flow::switches`] what happened at its end.
+    ///
+    /// *Errors*: what stops the motion, with the state where it does.
     pub fn advance(&mut self, end: f64) -> Result<(), Fault> {
         self.advance_plainly(end).map_err(|fault| self.explained(fault))
     }

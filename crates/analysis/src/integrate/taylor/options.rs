@@ -86,6 +86,8 @@ impl Work {
 }
 
 /// Refuses a tolerance that cannot be kept.
+///
+/// *Errors*: the tolerance, with its limits.
 pub fn check_tolerance(tolerance: f64) -> Result<(), Fault> {
     if TOLERANCES.contains(&tolerance) {
         return Ok(());

@@ -4,6 +4,7 @@
 //! q₀ ± δ v,      v: shapes of the motions that grow from q₀ without oscillation,      then downhill ([`super::fall`])
 //! ```
 
+use algebra::arrange::Arrange;
 use std::f64::consts::TAU;
 
 use super::branch::diverging;
@@ -21,7 +22,7 @@ const SHAPES: usize = 2;
 /// The stable places, each once; whole turns of angles do not tell places apart.
 pub fn beside(machine: &mut LinearMachine, place: &Place) -> Vec<Place> {
     let Ok(mut growing) = diverging(machine, place) else { return Vec::new() };
-    growing.sort_by(|a, b| b.root.0.total_cmp(&a.root.0));
+    growing.arrange_by(|a, b| b.root.0.total_cmp(&a.root.0));
     let units: Vec<String> = machine.coordinates().iter().map(|c| c.unit.clone()).collect();
     let sizes = Sizes::new(units.iter().map(String::as_str));
     let mut found: Vec<Place> = Vec::new();

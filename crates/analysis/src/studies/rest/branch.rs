@@ -22,6 +22,7 @@ use crate::Fault;
 use crate::linear::{LinearMachine, Place, parts};
 use crate::rest::sizes::Sizes;
 use crate::studies::modes::{Kind, Mode, Normalisation, modes};
+use algebra::arrange::Arrange;
 use algebra::cholesky::positive_definite;
 
 /// What becomes of the place at a value.
@@ -250,7 +251,7 @@ impl Branch {
             let last = behind.take_while(|s| end.is_none_or(|e| between(s.value, e, usize::from(change.upwards)))).last();
             change.behind = last.and_then(|s| s.spot.as_ref().map(|spot| (s.value, spot.place.q.clone())));
         }
-        list.sort_by(|a, b| a.value.total_cmp(&b.value));
+        list.arrange_by(|a, b| a.value.total_cmp(&b.value));
         list
     }
 

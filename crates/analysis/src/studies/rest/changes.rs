@@ -1,5 +1,6 @@
 //! What is said about a place of rest that changes along a parameter.
 
+use algebra::arrange::Arrange;
 use words::Text;
 
 use super::branch::{Branch, Change, Event};
@@ -34,7 +35,7 @@ fn located(value: f64, of: &Quantity) -> Text {
 pub fn place(q: &[f64], other: &[f64], coordinates: &[Quantity]) -> Text {
     let mut order: Vec<usize> = (0..q.len()).collect();
     if q.len() > NAMED {
-        order.sort_by(|i, j| (q[*j] - other[*j]).abs().total_cmp(&(q[*i] - other[*i]).abs()).then(i.cmp(j)));
+        order.arrange_by(|i, j| (q[*j] - other[*j]).abs().total_cmp(&(q[*i] - other[*i]).abs()).then(i.cmp(j)));
     }
     order.truncate(NAMED);
     order.sort_unstable();

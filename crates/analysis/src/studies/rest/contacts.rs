@@ -7,6 +7,7 @@
 //!
 //! Where one of these comes to zero the set of closed contacts changes, and with it the equations of small motions: a machine for every set.
 
+use algebra::arrange::Arrange;
 use std::sync::Arc;
 
 use symbolic::Equations;
@@ -143,7 +144,7 @@ impl Contacts {
         if active.len() <= MOST {
             let subset = |bits: usize| active.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1).map(|(_, c)| *c).collect();
             let mut all: Vec<Vec<usize>> = (1..1_usize << active.len()).map(subset).collect();
-            all.sort_by_key(Vec::len);
+            all.arrange_by_key(Vec::len);
             sets.extend(all.into_iter().filter(|s| *s != violated));
         }
         sets.iter().map(|changed| self.toggled(changed)).collect()

@@ -1,5 +1,6 @@
 //! What is asked of a simulation, and whether it can be done.
 
+use algebra::arrange::Arrange;
 use std::sync::atomic::AtomicBool;
 use words::Text;
 
@@ -148,7 +149,7 @@ pub(in crate::studies) fn requested(options: &Simulate<'_>, columns: usize) -> R
         Grid::Every(dt) => equidistant(options.until, *dt).into_iter().enumerate().map(|(row, t)| (t, row)).collect(),
         Grid::Auto | Grid::Fitted => (0..=AUTO).map(|k| (options.until * k as f64 / AUTO as f64, k)).collect(),
     };
-    times.sort_by(|a, b| a.0.total_cmp(&b.0));
+    times.arrange_by(|a, b| a.0.total_cmp(&b.0));
     Ok(times)
 }
 

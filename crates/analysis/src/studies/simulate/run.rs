@@ -1,5 +1,6 @@
 //! A run: what is looked at, recorded and told of a motion on its way.
 
+use algebra::arrange::Arrange;
 use std::sync::atomic::Ordering;
 use words::Text;
 
@@ -385,7 +386,7 @@ impl Run {
 
     pub(super) fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
-        done.sort_by_key(|&(row, _)| row);
+        done.arrange_by_key(|&(row, _)| row);
         let (notes, confirmed, open, closed) = (self.notes(system), self.confirmed(), self.open(system), self.closed());
         let n = self.outputs.len();
         let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };

@@ -28,6 +28,8 @@ const ENOUGH: f64 = 1e-11;
 /// Largest distance of a multiplier from those of the collocation, as a share of the largest multiplier (at least 1); none where the matrix would be too large or the instants
 /// do not resolve the coefficients. The coefficients are
 /// given at equally spaced instants, a power of two of them.
+///
+/// *Errors*: an eigenproblem that does not settle.
 pub fn by_collocation(period: f64, rows: &[Vec<f64>], multipliers: &[Multiplier]) -> Result<Option<f64>, Fault> {
     let n = rows.first().map_or(0, |a| (a.len() as f64).sqrt().round() as usize);
     let usable = |count: &usize| n > 0 && n * count <= LARGEST && rows.len().is_multiple_of(*count);

@@ -90,6 +90,8 @@ fn lowered(number: usize) -> String {
 }
 
 /// The resonance that a growing disturbance belongs to; none where no combination of low order has its frequency. The coefficients are given at equally spaced instants.
+///
+/// *Errors*: an eigenproblem that does not settle.
 pub fn resonance(period: f64, rows: &[Vec<f64>], growing: Exponent) -> Result<Option<Resonance>, Fault> {
     let Some(first) = rows.first() else { return Ok(None) };
     let n = (first.len() as f64).sqrt().round() as usize;

@@ -25,6 +25,7 @@ use crate::dataset::{Audit, Column, Dataset, Event};
 use crate::marks::named::Named;
 use crate::marks::pushes::Push;
 use crate::{Fault, Quantity, System};
+use algebra::arrange::Arrange;
 use motion::Motion;
 use phase::{Accelerations, modes};
 
@@ -112,7 +113,7 @@ fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64
     let mut dataset = table(system, &phases, &times, &chosen)?;
     dataset.notes.extend(without_line(system, &hidden));
     dataset.events.extend(marked.events);
-    dataset.events.sort_by(|a, b| a.t.total_cmp(&b.t));
+    dataset.events.arrange_by(|a, b| a.t.total_cmp(&b.t));
     dataset.notes.extend(simulate::untraced(&marked.lost));
     dataset.notes.extend(marked.ended.map(|(_, told)| told));
     dataset.notes.extend(blurred);
@@ -181,7 +182,7 @@ fn phases(equations: &Equations, start: &[f64], instants: &[f64], ends: &[f64], 
 fn times(options: &Simulate<'_>, columns: usize) -> Result<Vec<f64>, Fault> {
     simulate::check(options)?;
     let mut requested = simulate::requested(options, columns)?;
-    requested.sort_by_key(|(_, row)| *row);
+    requested.arrange_by_key(|(_, row)| *row);
     Ok(requested.into_iter().map(|(t, _)| t).collect())
 }
 
@@ -258,7 +259,7 @@ fn starts<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]
 /// Visits the closed form at the given times in ascending order: row of the time, state (q, q'). At a switch the later phase is meant.
 fn each_row(phases: &[Phase], times: &[f64], mut visit: impl FnMut(usize, &[f64]) -> Result<(), Fault>) -> Result<(), Fault> {
     let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    order.arrange_by(|a, b| times[*a].total_cmp(&times[*b]));
     for (k, phase) in phases.iter().enumerate() {
         let later = phases.get(k + 1).map_or(f64::INFINITY, |p| p.start);
         let own: Vec<usize> = order.iter().copied().filter(|i| times[*i] >= phase.start && times[*i] < later).collect();

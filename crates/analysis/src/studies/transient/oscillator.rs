@@ -10,6 +10,7 @@
 //! which does tell cases apart, are computed beside it for print.
 
 use super::load::{Load, Term};
+use algebra::arrange::Arrange;
 use algebra::complex::{self, Complex};
 use algebra::divided::exponential;
 
@@ -212,7 +213,7 @@ impl Oscillator {
     fn harmonics(&self) -> Vec<Harmonic> {
         let steady = |t: &&Term| t.power == 0 && t.rate.re == 0.0 && t.rate.im > 0.0;
         let mut found: Vec<Harmonic> = self.load.0.iter().filter(steady).map(|t| self.harmonic(t)).collect();
-        found.sort_by(|a, b| a.p.total_cmp(&b.p));
+        found.arrange_by(|a, b| a.p.total_cmp(&b.p));
         found
     }
 

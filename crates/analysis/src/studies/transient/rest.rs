@@ -9,6 +9,8 @@ use symbolic::Equations;
 use words::{Message, Text};
 
 /// The equilibrium under the mean loads of the first phase: where the search from the start ends, then Newton's method on the forms.
+///
+/// *Errors*: no place of rest, or forms that are not linear.
 pub fn place<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], span: &[f64]) -> Result<Vec<f64>, Fault> {
     let n = system.n_coordinates();
     let found = equilibrium::equilibrium(system, start, &Equilibrium::default());

@@ -44,6 +44,9 @@ impl Value {
         self.slopes.retain(|(_, slope)| !slope.is_zero());
     }
 
+    /// The value to a power.
+    ///
+    /// *Errors*: why it has no closed form.
     pub fn power(&self, exponent: f64) -> Result<Value, Reason> {
         if exponent == 1.0 {
             return Ok(self.clone());

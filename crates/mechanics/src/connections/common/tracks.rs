@@ -155,11 +155,11 @@ fn contact(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
     Ok(match track {
         Track::Line { through, direction, left } => {
             let direction = resolver.resolve(scene, kinematics, *direction)?;
-            on_line(scene, kinematics, (centre, radius), (*on, *through, direction, *left))
+            on_line(scene, kinematics, (centre, radius), (*on, *through, direction, if *left { Side::Left } else { Side::Right }))
         }
         Track::Circle { center, radius: large, inside } => {
             let large = resolver.resolve(scene, kinematics, *large)?;
-            on_circle(scene, kinematics, (centre, radius, &upright), (*center, large, *inside))
+            on_circle(scene, kinematics, (centre, radius, &upright), (*center, large, if *inside { Stand::Inside } else { Stand::Outside }))
         }
     })
 }
@@ -178,15 +178,29 @@ fn difference(scene: &mut Scene, a: &Columns<Vector>, b: &Columns<Vector>) -> Ve
     scene.minus(&a, &b)
 }
 
+/// On which side of the direction of its track a wheel is.
+#[derive(PartialEq)]
+enum Side {
+    Left,
+    Right,
+}
+
+/// Where a wheel stands at a circle.
+#[derive(PartialEq)]
+enum Stand {
+    Inside,
+    Outside,
+}
+
 /// The track passes at the distance `radius` below the wheel (to the right of its direction) when the wheel is on its left.
 fn on_line(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
     (centre, radius): (Vector, Expr),
-    (on, through, direction, left): (FrameId, Option<PointRef>, Expr, bool),
+    (on, through, direction, side): (FrameId, Option<PointRef>, Expr, Side),
 ) -> Contact {
     let (along, across) = line(scene, kinematics, on, direction);
-    let normal = if left { across } else { across.map(|e| scene.graph.neg(e)) };
+    let normal = if side == Side::Left { across } else { across.map(|e| scene.graph.neg(e)) };
     let down = normal.map(|e| {
         let arm = scene.graph.mul(radius, e);
         scene.graph.neg(arm)
@@ -205,8 +219,9 @@ fn on_circle(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
     (centre, radius, upright): (Vector, Expr, &Vector),
-    (middle, large, inside): (PointRef, Expr, bool),
+    (middle, large, stand): (PointRef, Expr, Stand),
 ) -> Contact {
+    let inside = stand == Stand::Inside;
     let middle = kinematics.position(scene, middle);
     let between = scene.minus(&centre, &middle);
     let between = across(scene, &between, upright);

@@ -28,8 +28,17 @@ use crate::units::Dimension;
 use symbolic::Expr;
 use words::{Notice, Text};
 
-/// Wheels in opposite or equal senses, with what is known of their strands.
-pub fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, (opposite, strands): (bool, Strands)) -> Option<Made> {
+/// How two wheels turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Senses {
+    /// An open belt, a chain, teeth inside.
+    Equal,
+    /// A crossed belt, teeth outside.
+    Opposite,
+}
+
+/// Two wheels, with what is known of their strands.
+pub fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, (senses, strands): (Senses, Strands)) -> Option<Made> {
     let names = two_names(reader, fields, "between");
     let found = names.as_ref().map(|names| names.clone().map(|(name, span)| frame_by_name(reader, &name, span)));
     let radii = radii(reader, fields);
@@ -60,7 +69,7 @@ pub fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, (op
         Strands::Pretension(_) | Strands::Slack { .. } => &[Part::Force, Part::Tight, Part::Slack],
         Strands::Teeth | Strands::Open => &[Part::Force],
     };
-    Some(Made::of(ConnectionKind::Wheels { between, radii: radii?, opposite, carrier, strands }).forces(parts))
+    Some(Made::of(ConnectionKind::Wheels { between, radii: radii?, opposite: senses == Senses::Opposite, carrier, strands }).forces(parts))
 }
 
 fn radii<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[Expr; 2]> {

@@ -27,12 +27,15 @@ use crate::scene::kinematics::Kinematics;
 use crate::scene::requests::Resolver;
 use crate::scene::wrench::{Act, generalized};
 use crate::scene::{Columns, Found, Scene};
+use algebra::arrange::Arrange;
 use std::collections::BTreeSet;
 use symbolic::connections::{Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
 
 /// Finds conditions and reactions of all connections; balances come later, when the loads are known.
+///
+/// *Errors*: those of all connections.
 pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Connected, Vec<Notice>> {
     let model = scene.model;
     let mut connected = Connected { taken: taken_names(scene), ..Connected::default() };
@@ -41,7 +44,7 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     let (frictions, others): (Vec<usize>, Vec<usize>) =
         (0..model.connections.len()).partition(|i| matches!(model.connections[*i].kind, ConnectionKind::Friction { .. }));
     let mut frictions = frictions;
-    frictions.sort_by_key(|i| connections::frictions::order(&model.connections[*i], model));
+    frictions.arrange_by_key(|i| connections::frictions::order(&model.connections[*i], model));
     for i in others.into_iter().chain(frictions) {
         let connection = &model.connections[i];
         match connections::components(scene, kinematics, resolver, connection) {
@@ -407,7 +410,7 @@ fn beside(scene: &mut Scene, mut forces: Vec<(usize, Expr)>, more: &Columns<Expr
             None => forces.push((j, e)),
         }
     }
-    forces.sort_by_key(|(j, _)| *j);
+    forces.arrange_by_key(|(j, _)| *j);
     forces
 }
 
