@@ -23,6 +23,8 @@ use words::Text;
 const FELT: f64 = 1e-9;
 /// Share of the time, and of that in which the machine moves by its own size, in which both sides are looked at: far beyond the rounding of the instant.
 const BESIDE: f64 = 1e-9;
+/// The longest such time, in those that have passed.
+const AGES: f64 = 1e4;
 
 impl Machine {
     /// Contacts, by guard, whose gap jumps open where the modes change from the first to the second.
@@ -125,6 +127,8 @@ impl Beside {
         let largest = |list: &[f64]| list.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let fastest = largest(&x[n..2 * n]);
         let own = if fastest > 0.0 { largest(&x[..n]) / fastest } else { 0.0 };
+        // rates that end in zero leave rounding, which would take ages
+        let own = if t == 0.0 { own } else { own.min(AGES * t.abs()) };
         let gap = BESIDE * t.abs().max(own);
         let at = |steps: f64| {
             let mut y = x.to_vec();

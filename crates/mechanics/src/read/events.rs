@@ -18,7 +18,9 @@ fn event<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Opti
     let stop = fields.flag(reader, "stop").unwrap_or(false);
     let zero = fields.formula(reader, "zero", &Context::OUTPUT, None)?;
     let span = fields.span_of("zero");
-    if zero.good && zero.depends.is_constant() {
+    // of a quantity that has an error of its own nothing is known
+    let known = !matches!(zero.kind, Kind::Unknown);
+    if zero.good && known && zero.depends.is_constant() {
         let fault = Notice::piece(
             "M113",
             span.clone(),
