@@ -249,8 +249,9 @@ pub(super) fn lingers(a: &Place, parameters: usize) -> bool {
     (n + 1..a.y.len()).all(|i| share(i).abs() <= STILL * share(n)) && (0..states).all(|i| share(i).abs() <= SHAPED * share(n))
 }
 
-/// Ratio of the distances of folds that follow one another below which they have a limit, and the last distance, as a share of the range, at which it is told.
+/// Ratio of the distances of folds that follow one another below which they have a limit.
 const NEARER_EACH: f64 = 0.7;
+/// Distance of the last two folds, as a share of the range, at which the limit is told: no diagram shows the rest.
 const WOUND: f64 = 1e-5;
 
 /// The value towards which the parameter of a branch of free motions winds, where it does: near to a homoclinic motion of a place of rest with a pair of roots every half turn of the pair
