@@ -207,7 +207,10 @@ impl<'a, 'o> Collocation<'a, 'o> {
             factors.push(Factor { matrix: carried.matrix, doubt: carried.doubt.max(carried.liouville).max(off((j, part))) });
         }
         let found = product::eigenvalues(n, &factors)?;
-        let multipliers = named(&found, !self.orbits.shooting.is_driven());
+        let mut multipliers: Vec<Multiplier> = found.iter().map(named).collect();
+        if !self.orbits.shooting.is_driven() {
+            name_shift(&mut multipliers);
+        }
         let stable = match verdict(&multipliers) {
             Verdict::Stable => Some(true),
             Verdict::Unstable => Some(false),
@@ -226,26 +229,23 @@ impl<'a, 'o> Collocation<'a, 'o> {
     }
 }
 
-/// Multipliers with their errors; of a free motion the one that is nearest to 1 belongs to the shift.
-fn named(found: &[Spread], free: bool) -> Vec<Multiplier> {
-    let one = |spread: &Spread| {
-        let size = spread.log_abs();
-        let scaled = spread.z.scale(if spread.log.abs() < BEYOND { elementary::exp(spread.log) } else { 0.0 });
-        let lost = size.abs() >= BEYOND;
-        Multiplier {
-            re: if lost { 0.0 } else { scaled.re },
-            im: if lost { 0.0 } else { scaled.im },
-            error: if lost { 0.0 } else { spread.error * complex::abs(scaled) },
-            log_abs: lost.then_some(size),
-            trivial: false,
-        }
-    };
-    let mut list: Vec<Multiplier> = found.iter().map(one).collect();
+/// A multiplier with its error.
+fn named(spread: &Spread) -> Multiplier {
+    let size = spread.log_abs();
+    if size.abs() >= BEYOND {
+        // a direction that is taken away has 0 exactly
+        return Multiplier { log_abs: Some(size).filter(|size| size.is_finite()), ..Multiplier::default() };
+    }
+    let z = spread.z.scale(elementary::exp(size) / complex::abs(spread.z));
+    Multiplier { re: z.re, im: z.im, error: spread.error * complex::abs(z), ..Multiplier::default() }
+}
+
+/// Of a free motion the multiplier that is nearest to 1 belongs to the shift along it.
+fn name_shift(list: &mut [Multiplier]) {
     let off = |m: &Multiplier| if m.log_abs.is_some() { f64::INFINITY } else { elementary::hypot(m.re - 1.0, m.im) };
-    if let Some(shift) = list.iter_mut().filter(|_| free).min_by(|a, b| off(a).total_cmp(&off(b))) {
+    if let Some(shift) = list.iter_mut().min_by(|a, b| off(a).total_cmp(&off(b))) {
         shift.trivial = true;
     }
-    list
 }
 
 impl Zeros for Collocation<'_, '_> {
