@@ -7,7 +7,7 @@
 use algebra::elementary;
 use words::Text;
 
-use crate::dataset::{Column, Dataset, Digits, Extreme, Held};
+use crate::dataset::{Column, Dataset, Digits, Event, Extreme, Held};
 use words::digits::number;
 
 /// More digits than a number has are not claimed.
@@ -113,9 +113,62 @@ pub fn note(found: &Digits, data: &Dataset) -> Option<Text> {
     ))
 }
 
+/// Digits of an instant that the list of events shows.
+const SHOWN: i32 = 6;
+
+/// Events with their places in the list, without those that follow one of the same kind within the digits shown: of infinitely many impacts before an instant either
+/// motion has as many as its rounding lets it see.
+fn apart_events(events: &[Event]) -> Vec<(usize, &Event)> {
+    let near = |a: &Event, b: &Event| (a.t - b.t).abs() <= elementary::powi(10f64, 1 - SHOWN) * b.t.abs();
+    let mut list: Vec<(usize, &Event)> = Vec::new();
+    for (k, event) in events.iter().enumerate() {
+        let alike = |kept: &&(usize, &Event)| (kept.1.guard, &kept.1.name) == (event.guard, &event.name);
+        if !list.iter().rev().find(alike).is_some_and(|kept| near(kept.1, event)) {
+            list.push((k, event));
+        }
+    }
+    list
+}
+
+/// Says from which event on the list is not the same in both motions, to the digits that it shows.
+pub fn note_of_events(data: &Dataset, again: &Dataset) -> Option<Text> {
+    let (own, other) = (apart_events(&data.events), apart_events(&again.events));
+    let parts = |((_, a), (_, b)): &(&(usize, &Event), &(usize, &Event))| {
+        (a.guard, &a.name) != (b.guard, &b.name) || digits(a.t.abs(), (a.t - b.t).abs()) < SHOWN
+    };
+    // of an event that only the repetition has nothing is shown
+    let behind = own.get(other.len());
+    let (first, event) = *own.iter().zip(&other).find(parts).map(|(own, _)| own).or(behind)?;
+    let t = number(event.t);
+    Some(Text::new(
+        format!(
+            "the list of events agrees with the repetition up to number {first}: the instants from t = {} s on hold fewer than {SHOWN} digits, and which events follow is open",
+            t.en
+        ),
+        format!(
+            "список событий совпадает с повторным расчётом до номера {first}: у моментов начиная с t = {} с меньше {SHOWN} верных цифр, и сами дальнейшие события не определены",
+            t.ru
+        ),
+    ))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn events_are_told_from_where_they_part() {
+        let at =
+            |list: &[f64]| Dataset { events: list.iter().map(|t| Event { t: *t, ..Event::default() }).collect(), ..Dataset::default() };
+        let said = |a: &[f64], b: &[f64]| note_of_events(&at(a), &at(b)).map(|text| text.en);
+        assert_eq!(said(&[1.0, 2.0, 3.0], &[1.0, 2.0, 3.0]), None);
+        // 2.0000001 and 2 share seven digits, 3.01 and 3 do not share six
+        let text = said(&[1.0, 2.0, 3.0, 4.0], &[1.0, 2.0000001, 3.01, 4.5]).unwrap();
+        assert!(text.contains("up to number 2") && text.contains("t = 3 s"), "{text}");
+        // one more in the motion that is shown
+        assert!(said(&[1.0, 2.0], &[1.0]).unwrap().contains("t = 2 s"));
+        assert_eq!(said(&[1.0], &[1.0, 2.0]), None);
+    }
 
     #[test]
     fn digits_count_what_two_numbers_share() {

@@ -352,6 +352,22 @@ pub fn no_equilibrium() -> Fault {
     })
 }
 
+/// There is none, and small motions need none: the loads accelerate a machine whose coefficients are the same everywhere (a free shaft under a torque).
+pub fn accelerated() -> Fault {
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new("the loads set this machine in motion: it has no equilibrium", "нагрузки разгоняют эту машину: равновесия нет"),
+        why: Text::new(
+            "something turns or moves freely, and a force acts on it; the coefficients of small motions are the same in every place",
+            "есть свободное движение, и на него действует сила; коэффициенты малых движений всюду одни и те же",
+        ),
+        help: Text::new(
+            "about = \"start\" (--about-start) gives the modes, whatever the loads are; or balance the loads",
+            "about = \"start\" (--about-start) даст собственные движения при любых нагрузках; либо уравновесьте нагрузки",
+        ),
+    })
+}
+
 /// A force below this share of the largest along a range may touch zero.
 const TOUCHING: f64 = 1e-5;
 

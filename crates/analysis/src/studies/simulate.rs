@@ -67,6 +67,7 @@ pub fn confirm<S: System + ?Sized>(system: &mut S, start: &[f64], options: &mut 
         Some(again) if !again.dataset.partial => {
             let found = digits::compare(dataset, &again.dataset, tolerance, order);
             dataset.notes.extend(digits::note(&found, dataset));
+            dataset.notes.extend(digits::note_of_events(dataset, &again.dataset));
             dataset.digits = Some(found);
         }
         _ => dataset.notes.push(Text::new(

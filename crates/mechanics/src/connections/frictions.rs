@@ -185,17 +185,7 @@ fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<M
 fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, slides: Option<&Slides>) -> Option<[&'static str; 2]> {
     let laws: Vec<&'static str> = ["kinetic", "curve", "coefficient", "lever"].into_iter().filter(|key| fields.has(key)).collect();
     let &[law] = laws.as_slice() else {
-        let path = &fields.path;
-        let fault = Notice::piece(
-            "M080",
-            laws.get(1).map_or(fields.span.clone(), |key| fields.span_of(key)),
-            format!("{path} needs one of `kinetic`, `curve`, `coefficient`"),
-            format!("в {path} нужно одно из `kinetic`, `curve`, `coefficient`"),
-        );
-        reader.fault(fault.help(
-            "kinetic = \"F2\" is a force; coefficient = 0.2 needs normal = \"N\"",
-            "kinetic = \"F2\" — сила; к coefficient = 0.2 нужно normal = \"N\"",
-        ));
+        reader.fault(one_law(fields, &laws));
         return None;
     };
     let own = match law {
@@ -223,6 +213,30 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, slides: Option<&Slides
         return None;
     }
     Some([law, own])
+}
+
+/// M080: no law, or several.
+fn one_law(fields: &Fields<'_>, laws: &[&'static str]) -> Notice {
+    let path = &fields.path;
+    let [first, second, ..] = laws else {
+        let fault = Notice::piece(
+            "M080",
+            fields.span.clone(),
+            format!("{path} needs one of `kinetic`, `curve`, `coefficient`, `lever`"),
+            format!("в {path} нужно одно из `kinetic`, `curve`, `coefficient`, `lever`"),
+        );
+        return fault.help(
+            "kinetic = \"F2\" is a force; coefficient = 0.2 needs normal = \"N\"",
+            "kinetic = \"F2\" — сила; к coefficient = 0.2 нужно normal = \"N\"",
+        );
+    };
+    let fault = Notice::piece(
+        "M080",
+        fields.span_of(second),
+        format!("{path} has `{first}` and `{second}`: one friction has one law"),
+        format!("в {path} заданы и `{first}`, и `{second}`: у одного трения один закон"),
+    );
+    fault.help("keep one of them; a second resistance is a friction of its own", "оставьте одно; второе сопротивление — отдельное трение")
 }
 
 /// The symbol u and its dimension. A name `u` of the model must not be meant by the same letter.

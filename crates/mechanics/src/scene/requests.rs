@@ -6,7 +6,7 @@ use super::kinematics::Kinematics;
 use super::{Found, Scene};
 use crate::model::{Axis, FrameId, Part, Request, RequestKind};
 use rustc_hash::FxHashMap;
-use symbolic::{Expr, Substitution, SymbolId};
+use symbolic::{Expr, Node, Substitution, SymbolId};
 use words::{Notice, Text};
 
 /// How deep placeholders may refer to each other.
@@ -93,8 +93,10 @@ impl Resolver {
             RequestKind::Speed(p) => {
                 let v = [Axis::X, Axis::Y, Axis::Z].map(|axis| velocity(scene, kinematics, p, axis));
                 let square = scene.dot(&v, &v);
-                let square = scene.tidy(square);
-                Ok(scene.graph.sqrt(square))
+                let tidy = scene.tidy(square);
+                // what contracts to a sum cancels where the point stands, and the root keeps half of the digits: squares of components do not
+                let cancels = matches!(scene.graph.node(tidy), Node::Sum { .. });
+                Ok(scene.graph.sqrt(if cancels { square } else { tidy }))
             }
             RequestKind::Angle(f) => kinematics.frames[f.index()].plane_angle.ok_or_else(|| missing(scene)),
             RequestKind::AngularVelocity(f) => Ok(turning_about_z(scene, kinematics, f)),

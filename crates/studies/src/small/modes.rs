@@ -11,7 +11,8 @@ use crate::small::{Small, about_rest, about_start, timing_notes};
 use crate::wording::Word as Say;
 use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
-use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
+use analysis::rest::search::accelerated;
+use analysis::studies::modes::{self, Damping, Kind, Mode, Modes, Normalisation};
 use analysis::studies::rest::branch::Change;
 use analysis::studies::rest::degenerate::{Degenerate, degenerate, remark};
 use analysis::studies::tracks::{self, Tracks};
@@ -45,6 +46,10 @@ pub struct Found {
     pub tracks: Option<Tracks>,
     /// What decides where the stiffness vanishes in a direction.
     pub degenerate: Option<Degenerate>,
+    /// Whether they are about the motion as it is at the start.
+    pub about_start: bool,
+    /// The highest oscillation that the coordinates of a frame hold, rad/s, when higher ones are left out.
+    pub kept: Option<f64>,
 }
 
 /// Makes the study: one row per mode; along a parameter one row per value.
@@ -70,9 +75,18 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
 /// # Errors
 /// No equilibrium is found, or formulas have no value there.
 pub fn at_place(machine: &Machine, study: &Study) -> Result<Found, Fault> {
-    let small = if study.about_start { about_start(machine) } else { about_rest(machine, &study.guess) };
+    let small = if study.about_start { about_start(machine) } else { about_rest(machine, &study.guess).map_err(|f| explained(f, machine)) };
     small.and_then(|small| at(machine, study, small))
 }
+
+/// Where no place of rest is found because none is needed, the fault says so.
+fn explained(fault: Fault, machine: &Machine) -> Fault {
+    let needs_none = || about_start(machine).is_ok_and(|small| small.machine.same_everywhere());
+    if fault.code == NO_REST && needs_none() { accelerated() } else { fault }
+}
+
+/// Code of a place of rest that is not found.
+const NO_REST: &str = "S007";
 
 fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {
     if machine.equations.coordinates.is_empty() {
@@ -98,7 +112,9 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
         }),
         None => None,
     };
-    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation: equation.map(|e| e.0), tracks, degenerate })
+    let (about_start, kept) = (study.about_start, machine.model.structure.as_ref().and_then(|structure| structure.kept));
+    let equation = equation.map(|e| e.0);
+    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation, tracks, degenerate, about_start, kept })
 }
 
 fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
@@ -150,9 +166,33 @@ fn dataset(found: &Found) -> Dataset {
             "около движения в начальный момент; коэффициенты взяты в этот момент",
         ));
     }
+    data.notes.extend(found.kept.and_then(|kept| left_out(found, kept)));
     data.notes.extend(remark(found.degenerate.iter()));
     data.notes.extend(timing_notes(timing(found)));
     data
+}
+
+/// Over the highest kept oscillation of a frame ω a mode is one of the whole frame as long as it lies below so many ω: the kept shapes hold what is slower. Beyond, what is
+/// left over is a single shape, the static one of a named displacement, in place of many: a tenth or a quarter off.
+const HELD: f64 = 1.1;
+
+/// Modes that a frame of so few shapes does not have.
+fn left_out(found: &Found, kept: f64) -> Option<Text> {
+    let beyond = |(i, mode): (usize, &Mode)| (mode.omega > HELD * kept).then(|| (i + 1).to_string());
+    let list: Vec<String> = found.modes.modes.iter().enumerate().filter_map(beyond).collect();
+    let (numbers, omega) = (list.join(", "), words::digits::rounded(kept));
+    (!list.is_empty()).then(|| {
+        Text::new(
+            format!(
+                "modes {numbers} lie above the highest kept oscillation of the frame, ω = {} rad/s: they are not those of the whole frame and may be off by tens of per cent; give [structure] more `modes`",
+                omega.en
+            ),
+            format!(
+                "формы {numbers} лежат выше старшего учтённого колебания рамы, ω = {} рад/с: это не формы всей рамы, ошибка может составлять десятки процентов; увеличьте `modes` в [structure]",
+                omega.ru
+            ),
+        )
+    })
 }
 
 /// How time was treated; what has rate zero for these numbers does not oscillate.

@@ -59,7 +59,26 @@ fn cells(name: &str, values: &[f64], language: Language) -> Vec<Cell> {
 
 /// The equilibrium about which the motions are small, in one line.
 fn place(found: &Found, language: Language) -> String {
-    place_of(found.small.machine.coordinates(), &found.small.place.q, language)
+    let place = Place { coordinates: found.small.machine.coordinates(), q: &found.small.place.q };
+    let name = if found.about_start {
+        language.pick("At the start", "В начале движения")
+    } else {
+        language.word(Word::Equilibrium)
+    };
+    place.called(name, language)
+}
+
+/// Values of coordinates.
+struct Place<'p> {
+    coordinates: &'p [analysis::Quantity],
+    q: &'p [f64],
+}
+
+impl Place<'_> {
+    /// In one line.
+    fn called(&self, name: &str, language: Language) -> String {
+        format!("{name}: {}", place_of(self.coordinates, self.q, language))
+    }
 }
 
 fn place_of(coordinates: &[analysis::Quantity], q: &[f64], language: Language) -> String {
@@ -69,7 +88,7 @@ fn place_of(coordinates: &[analysis::Quantity], q: &[f64], language: Language) -
         format!("{} = {}", report::symbol::plain(&q.symbol, language), report::number::with_unit(&number, &unit))
     };
     let list: Vec<String> = coordinates.iter().zip(q).map(value).collect();
-    format!("{}: {}", language.word(Word::Equilibrium), list.join(", "))
+    list.join(", ")
 }
 
 impl Show for Found {
@@ -231,7 +250,8 @@ fn response(found: &ResponseFound, results: &Results, view: &View) -> Vec<Block>
     let mut blocks = vec![Block::paragraph(format!("{}: {}", language.pick("Load", "Нагрузка"), language.text(&found.load)))];
     if let Some(own) = &found.own {
         if own.place.len() <= SHORT && own.place.iter().any(|q| *q != 0.0) {
-            blocks.push(Block::paragraph(place_of(&found.coordinates, &own.place, language)));
+            let place = Place { coordinates: &found.coordinates, q: &own.place };
+            blocks.push(Block::paragraph(place.called(language.word(Word::Equilibrium), language)));
         }
         blocks.push(Block::Table(own_table(found, own, language)));
     }
@@ -277,7 +297,13 @@ fn number(x: f64, language: Language) -> Cell {
 
 /// Symbol and unit of a quantity, the first cells of its row.
 fn named(q: &analysis::Quantity, language: Language) -> [Cell; 2] {
-    [Cell::symbol(q.symbol.clone()), Cell::words(report::unit::print(&q.unit, language))]
+    let unit = q.display.as_ref().map_or(&q.unit, |(unit, _)| unit);
+    [Cell::symbol(q.symbol.clone()), Cell::words(report::unit::print(unit, language))]
+}
+
+/// A number of it, SI, in the unit of its row.
+fn in_unit(q: &analysis::Quantity, value: f64) -> f64 {
+    q.display.as_ref().map_or(value, |(_, size)| value / size)
 }
 
 /// Amplitude, phase, static displacement and dynamic coefficient at the frequency of the file.
@@ -293,7 +319,7 @@ fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, la
     for (k, q) in found.outputs.iter().enumerate() {
         let (z, still) = (own.outputs[k], magnitude(own.still[k]));
         let mut row = named(q, language).to_vec();
-        row.extend([magnitude(z), phase(z), still].map(|x| number(x, language)));
+        row.extend([in_unit(q, magnitude(z)), phase(z), in_unit(q, still)].map(|x| number(x, language)));
         row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
         table.row(row);
     }
@@ -311,7 +337,7 @@ fn orders_table(found: &ResponseFound, language: Language) -> Table {
         for (order, own) in found.orders.iter().take(ORDERS).filter_map(|o| Some((o.order, o.own.as_ref()?))) {
             let z = own.outputs[k];
             let mut row = named(q, language).to_vec();
-            row.extend([order, own.omega, magnitude(z), phase(z)].map(|x| number(x, language)));
+            row.extend([order, own.omega, in_unit(q, magnitude(z)), phase(z)].map(|x| number(x, language)));
             table.row(row);
         }
     }
@@ -329,7 +355,8 @@ fn superposed_table(found: &ResponseFound, s: &analysis::studies::superposition:
     let mut table = Table::new(heads(&columns, language));
     for (q, r) in found.outputs.iter().zip(&s.outputs) {
         let mut row = named(q, language).to_vec();
-        row.extend([r.mean, r.largest.0, r.largest.1, r.max.0, r.min.0].map(|x| number(x, language)));
+        let [mean, largest, max, min] = [r.mean, r.largest.0, r.max.0, r.min.0].map(|x| in_unit(q, x));
+        row.extend([mean, largest, r.largest.1, max, min].map(|x| number(x, language)));
         table.row(row);
     }
     table
@@ -347,7 +374,7 @@ fn shape_table(found: &ResponseFound, shape: &analysis::studies::response::Point
     let unit = language.word(Word::Unit);
     let mut table = Table::new(heads(&[(&title, ""), (unit, ""), (words[0], ""), (words[1], "rad")], language));
     for (q, z) in found.coordinates.iter().zip(&shape.coordinates) {
-        table.row(named(q, language).into_iter().chain([magnitude(*z), phase(*z)].map(|x| number(x, language))).collect());
+        table.row(named(q, language).into_iter().chain([in_unit(q, magnitude(*z)), phase(*z)].map(|x| number(x, language))).collect());
     }
     table
 }
@@ -366,12 +393,15 @@ fn resonances(found: &ResponseFound, language: Language) -> Table {
     let mut table = Table::new(heads(&columns, language));
     let several = !found.orders.is_empty();
     for (r, order) in found.resonances.iter().zip(&found.resonance_orders) {
-        let mut row = named(&found.outputs[r.output], language).to_vec();
+        let q = &found.outputs[r.output];
+        let mut row = named(q, language).to_vec();
         if several {
             row.push(number(*order, language));
         }
         let omega = r.omega / order;
-        row.extend([omega, omega / std::f64::consts::TAU, r.amplitude, r.phase, r.gain, r.quality].map(|x| number(x, language)));
+        row.extend(
+            [omega, omega / std::f64::consts::TAU, in_unit(q, r.amplitude), r.phase, r.gain, r.quality].map(|x| number(x, language)),
+        );
         table.row(row);
     }
     table
@@ -388,9 +418,10 @@ fn antiresonances(found: &ResponseFound, language: Language) -> Table {
             format!("{symbol} {} %", report::number::short(100.0 * share, 3, language))
         };
         let absorbs: Vec<String> = a.absorbs.iter().map(name).collect();
-        let mut row = named(&found.outputs[a.output], language).to_vec();
+        let q = &found.outputs[a.output];
+        let mut row = named(q, language).to_vec();
         let omega = a.omega / order;
-        row.extend([omega, omega / std::f64::consts::TAU, a.amplitude].map(|x| number(x, language)));
+        row.extend([omega, omega / std::f64::consts::TAU, in_unit(q, a.amplitude)].map(|x| number(x, language)));
         row.push(Cell::words(absorbs.join(", ")));
         table.row(row);
     }

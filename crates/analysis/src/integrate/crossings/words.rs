@@ -51,6 +51,7 @@ pub fn rivals(found: &[Rival], guards: &[Guard]) -> Text {
     let one = |rival: &Rival| {
         let name = &guards[rival.guard].name;
         let (en, ru) = match rival.mode {
+            _ if matches!(guards[rival.guard].kind, GuardKind::Contact { .. }) => ("opens", "размыкается"),
             Mode::Zero => ("sticks", "залипает"),
             Mode::Positive => ("slides forward", "скользит вперёд"),
             Mode::Negative => ("slides backward", "скользит назад"),

@@ -4,6 +4,9 @@
 //! sign, both are admissible, or none is (Painlevé, Klein). One is followed: sticking before sliding, as before the event before other than before. That there
 //! is another one is found by enumeration over the frictions pressed by reactions: their modes where they stand on their surfaces, the signs of what presses.
 //!
+//! A contact that slides and whose own friction presses it on (A < 0) may be closed with N = −a₀/A > 0 where, open, it leaves with a₀ > 0: Painlevé's
+//! indeterminate case. Closed it stays; that it could leave is found by opening it.
+//!
 //! A friction at rest that only its static limit holds has no rival: that limit is there to hold it.
 
 use crate::integrate::taylor::{Flow, Work};
@@ -47,15 +50,42 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Looks for another admissible set; the present one, which holds, stays with its expansion.
     pub(super) fn look_for_rivals(&mut self) -> Result<(), Fault> {
         self.rivals.clear();
-        let pressed = self.pressed_by_reactions();
-        if pressed.is_empty() {
+        let (pressed, rubbing) = (self.pressed_by_reactions(), self.rubbing_contacts());
+        if pressed.is_empty() && rubbing.is_empty() {
             return Ok(());
         }
-        let sets = self.sets(&pressed);
+        let mut sets = self.sets(&pressed);
         let kept = self.kept();
+        let leaving: Vec<usize> = rubbing.into_iter().filter(|contact| self.would_leave(*contact, &kept)).collect();
+        sets.extend(leaving.into_iter().map(|contact| vec![(contact, Mode::Positive)]));
         let rival = sets.iter().find(|set| self.is_rival(set, &kept));
         self.rivals = rival.map_or_else(Vec::new, |set| differing(set, &pressed, &kept.modes));
         self.return_to(kept)
+    }
+
+    /// Closed contacts that press a friction that slides.
+    fn rubbing_contacts(&self) -> Vec<usize> {
+        let slides = |(i, guard): (usize, &crate::Guard)| match &guard.kind {
+            GuardKind::Friction { pressed, .. } if self.modes[i] != Mode::Zero => pressed.clone(),
+            _ => Vec::new(),
+        };
+        let mut list: Vec<usize> = self.system.guards().iter().enumerate().flat_map(slides).collect();
+        list.retain(|contact| self.modes[*contact] == Mode::Zero);
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
+    /// Whether a closed contact, opened, leaves at once: its gap's acceleration without its force, beyond rounding.
+    fn would_leave(&mut self, contact: usize, kept: &Kept) -> bool {
+        let tie = self.system.ties(self.now.high, &kept.x, &kept.modes).into_iter().find(|(guard, _)| *guard == contact);
+        self.put_back(kept);
+        self.modes[contact] = Mode::Positive;
+        if self.system.expand(self.now.high, &self.base, &self.modes, 2).is_err() {
+            return false;
+        }
+        let acceleration = 2.0 * self.system.guard(contact).get(2).copied().unwrap_or(0.0);
+        acceleration > tie.map_or(0.0, |(_, tie)| tie.acceleration)
     }
 
     fn pressed_by_reactions(&self) -> Vec<Pressed> {
@@ -186,5 +216,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
 fn differing(set: &Set, pressed: &[Pressed], found: &[Mode]) -> Vec<Rival> {
     let of = |i: usize| set.iter().find(|(k, _)| *k == i).map_or(found[i], |(_, mode)| *mode);
     let one = |p: &Pressed| Rival { guard: p.friction, mode: of(p.friction), turned: p.normals.iter().any(|&n| of(n) != found[n]) };
-    pressed.iter().map(one).filter(|rival| rival.turned || rival.mode != found[rival.guard]).collect()
+    let frictions = pressed.iter().map(one).filter(|rival| rival.turned || rival.mode != found[rival.guard]);
+    let alone = |(guard, _): &&(usize, Mode)| pressed.iter().all(|p| p.friction != *guard && !p.normals.contains(guard));
+    let contacts = set.iter().filter(alone).map(|(guard, mode)| Rival { guard: *guard, mode: *mode, turned: false });
+    frictions.chain(contacts).collect()
 }
