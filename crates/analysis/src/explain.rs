@@ -41,6 +41,7 @@ const EXPLANATIONS: &[Explanation] = &[
     plain("S061", ("a mechanism that does not rest", "механизм не находится в равновесии"), (UNREST_EN, UNREST_RU)),
     rest::WANDERING,
     rest::JOURNAL,
+    crate::rest::surfaces::MOVING,
     crate::studies::response::ROUNDED,
     crate::studies::rolling::REFUSED,
     crate::studies::limits::PULSATING,

@@ -18,6 +18,7 @@ pub mod places;
 pub(crate) mod rows;
 pub mod search;
 pub mod sizes;
+pub(crate) mod surfaces;
 pub mod system;
 pub mod unknowns;
 

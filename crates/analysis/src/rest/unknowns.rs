@@ -48,7 +48,7 @@ pub struct Found {
 /// Finds the parameters (by index) for which the start is a place of rest.
 ///
 /// *Errors*: S036 an unknown that nothing determines or a force that nothing balances, S094 an unknown that friction leaves open, S062 and S093 where a rope
-/// would push or a friction would have to exceed its limit, S082 a journal; faults of the assembly.
+/// would push or a friction would have to exceed its limit, S082 a journal, S167 a friction on a surface that moves; faults of the assembly.
 pub fn unknowns(equations: &Equations, parameters: &[usize], impending: &[Impending]) -> Result<Found, Fault> {
     if let Some(refused) = faults::journal_with_unknowns(equations) {
         return Err(refused);
@@ -56,6 +56,9 @@ pub fn unknowns(equations: &Equations, parameters: &[usize], impending: &[Impend
     let numbers: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
     let start = if equations.coordinates.is_empty() { Vec::new() } else { assemble(equations, &numbers)?.start };
     let q = &start[..equations.coordinates.len()];
+    if let Some(refused) = super::surfaces::moving(equations, &numbers, q)? {
+        return Err(refused);
+    }
     let closed = closed_contacts(equations, q, &numbers)?;
     let mut parts = Parts::holding(equations, |r| closed.contains(&r));
     parts.unknowns = parameters.to_vec();

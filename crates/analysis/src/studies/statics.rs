@@ -69,7 +69,7 @@ pub struct Statics {
 
 /// Finds the reactions at the start of the machine, at rest.
 ///
-/// *Errors*: no reactions at all (S060); a mechanism that the loads set in motion (S061), with the free motion; faults of the assembly.
+/// *Errors*: no reactions at all (S060); a mechanism that the loads set in motion (S061), with the free motion; S167 a friction on a surface that moves; faults of the assembly.
 pub fn statics(equations: &Equations) -> Result<Statics, Fault> {
     if equations.reactions.is_empty() {
         return Err(Fault::no_reactions());
@@ -82,6 +82,9 @@ pub fn statics(equations: &Equations) -> Result<Statics, Fault> {
         0 => (Vec::new(), Vec::new()),
         _ => assemble(equations, &parameters).map(|a| (a.start, a.notes))?,
     };
+    if let Some(refused) = crate::rest::surfaces::moving(equations, &parameters, &start[..equations.coordinates.len()])? {
+        return Err(refused);
+    }
     let system = System::at_rest(equations, &start);
     let mut found = system.solve(equations)?;
     found.notes = notes;

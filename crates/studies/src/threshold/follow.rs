@@ -65,7 +65,20 @@ impl<'a, 'w> Follow<'a, 'w> {
         if repeated.noted.len() > 1 && judge != Judge::Regimes {
             return Err(which(asks.observe));
         }
-        Ok(Follow { parameter, judge, before: None, seen: Vec::new(), repeated, at: At::of(machine), evaluations: 0, expected: 0, checked: 0, failed: 0, doubtful: None, watch })
+        Ok(Follow {
+            parameter,
+            judge,
+            before: None,
+            seen: Vec::new(),
+            repeated,
+            at: At::of(machine),
+            evaluations: 0,
+            expected: 0,
+            checked: 0,
+            failed: 0,
+            doubtful: None,
+            watch,
+        })
     }
 
     /// How many runs are to be expected.
@@ -143,7 +156,8 @@ impl<'a, 'w> Follow<'a, 'w> {
             progress((self.evaluations as f64 / self.expected.max(self.evaluations + 1) as f64).min(1.0));
         }
         let values = [(self.parameter.name.clone(), place)];
-        let results = one(self.at.forgetful(), &self.repeated, &values, self.watch).map_err(|trouble| self.without_result(place, trouble))?;
+        let results =
+            one(self.at.forgetful(), &self.repeated, &values, self.watch).map_err(|trouble| self.without_result(place, trouble))?;
         let audits = &results.data.audits;
         self.checked += usize::from(!audits.is_empty());
         if let Some(audit) = audits.iter().find(|audit| !audit.ok) {

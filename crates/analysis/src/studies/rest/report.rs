@@ -71,6 +71,9 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
     if let Some(refused) = crate::rest::faults::journal(equations) {
         return Err(refused);
     }
+    if let Some(refused) = crate::rest::surfaces::moving(equations, parameters, &start[..equations.coordinates.len()])? {
+        return Err(refused);
+    }
     if let Some(range) = options.over.filter(|_| !options.impending.is_empty()) {
         return at_limits(equations, parameters, start, (range, &options.impending));
     }
