@@ -114,7 +114,7 @@ pub const RUBBING: &[Explanation] = &[
              растяжимости ветвей, которой у невесомого нерастяжимого каната нет; трение определялось бы той или другой ветвью — порядком точек пути. Без отскока \
              у обеих ветвей одна скорость.",
         ),
-        "[ropes.R]\npath = [\"A\", \"P\", \"ground\"]\nrestitution = 0.5\n[frictions.f]\nrope = \"R\"\nover = \"P\"\ncoefficient = 0.2",
-        "[ropes.R]\npath = [\"A\", \"P\", \"ground\"]\n[frictions.f]\nrope = \"R\"\nover = \"P\"\ncoefficient = 0.2",
+        "[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.a]\norigin = [\"0\", \"x\"]\nmass = \"1 kg\"\n[bodies.b]\norigin = [\"1 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nL = { at = [\"0\", \"3 m\"] }\nP = { at = [\"1 m\", \"3 m\"] }\n[ropes.R]\npath = [\"a\", \"L\", \"P\", \"b\"]\nrestitution = 0.5\n[frictions.f]\nrope = \"R\"\nover = \"P\"\ncoefficient = 0.2",
+        "[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.a]\norigin = [\"0\", \"x\"]\nmass = \"1 kg\"\n[bodies.b]\norigin = [\"1 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nL = { at = [\"0\", \"3 m\"] }\nP = { at = [\"1 m\", \"3 m\"] }\n[ropes.R]\npath = [\"a\", \"L\", \"P\", \"b\"]\n[frictions.f]\nrope = \"R\"\nover = \"P\"\ncoefficient = 0.2",
     ),
 ];

@@ -373,8 +373,7 @@ fn step(zeros: &mut dyn Zeros, way: &Way<'_>, bounds: Bounds<'_>) -> Result<Trie
         if h > BY_COUNT {
             return refused;
         }
-        let more = locate::by_count(zeros, a, &b)?;
-        let events = events.into_iter().chain(more).collect();
+        let events = locate::one_by_one(zeros, a, &b)?;
         return Ok(Tried::Done(Box::new(b), events, found.steps, side));
     }
     Ok(Tried::Done(Box::new(b), events, found.steps, side))

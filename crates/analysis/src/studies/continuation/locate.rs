@@ -4,7 +4,7 @@
 //! found by secants within a bracket; at a branch point, where corrections have no unique solution, by interpolation over points on both sides of it.
 
 use super::corrector::{self, Plane, settle};
-use super::signs::{leaves_as_pair, leaving, outside};
+use super::signs::{self, leaves_as_pair, leaving};
 use super::zeros::{Place, Sort, Zeros};
 use crate::Fault;
 
@@ -171,11 +171,35 @@ pub(super) fn located(zeros: &mut dyn Zeros, a: &Place, b: &Place, tests: &[Test
     Ok(list)
 }
 
-/// Where the number of multipliers outside changes.
+/// Changes of the number of multipliers outside that are told apart on a step.
+const TOGETHER: usize = 8;
+
+/// Where several things happen on a step: test functions that change their signs twice tell nothing, so the step is parted where the number of multipliers outside
+/// changes, and each part has its own.
 ///
 /// *Errors*: those of the equations.
-pub(super) fn by_count(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<Option<Located>, Fault> {
-    one(zeros, a, b, Test::Count)
+pub(super) fn one_by_one(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<Vec<Located>, Fault> {
+    let (mut list, mut from, mut passed) = (Vec::new(), a.clone(), 0.0);
+    let within = |located: Located, [low, high]: [f64; 2]| Located { share: low + (high - low) * located.share, ..located };
+    for _ in 0..TOGETHER {
+        if from.signs.outside == b.signs.outside {
+            break;
+        }
+        let Some(change) = one(zeros, &from, b, Test::Count)? else { break };
+        let after = change.special.place.clone();
+        let fine = located(zeros, &from, &after, &flagged(&from, &after))?;
+        let change = within(change, [passed, 1.0]);
+        let part = [passed, change.share];
+        passed = change.share;
+        match fine.is_empty() {
+            true => list.push(change),
+            false => list.extend(fine.into_iter().map(|event| within(event, part))),
+        }
+        from = after;
+    }
+    let rest = located(zeros, &from, b, &flagged(&from, b))?;
+    list.extend(rest.into_iter().map(|event| within(event, [passed, 1.0])));
+    Ok(list)
 }
 
 /// The branch at a share of the way from a to b.
@@ -259,10 +283,11 @@ fn of_pair(sort: Sort) -> What {
     }
 }
 
-/// What has left the circle, by the multiplier that is farthest outside.
+/// What has left the circle or come back, by the multiplier that is nearest to it.
 fn of_count(place: &Place, sort: Sort) -> What {
     let numbers = place.local.facts.multipliers.as_deref().unwrap_or_default();
-    let first = numbers.iter().find(|m| !m.trivial && outside(std::slice::from_ref(m), sort) > 0);
+    let own = numbers.iter().filter(|m| !m.trivial);
+    let first = own.min_by(|a, b| signs::off(a, sort).abs().total_cmp(&signs::off(b, sort).abs()));
     match (first, sort) {
         (Some(m), _) if m.im != 0.0 => of_pair(sort),
         (Some(m), Sort::Multipliers) if m.re < 0.0 => What::Doubling,

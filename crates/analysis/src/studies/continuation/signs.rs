@@ -57,24 +57,17 @@ enum Bond {
 /// The product over all pairs; none of a single multiplier.
 fn pair(numbers: &[Multiplier], sort: Sort) -> Option<(f64, Bond)> {
     let list: Vec<(Complex, f64)> = numbers.iter().filter(|m| !m.trivial).map(|m| (Complex { re: m.re, im: m.im }, m.error)).collect();
-    let (mut product, mut bond) = (Complex { re: 1.0, im: 0.0 }, Bond::None);
-    for (i, (a, error_a)) in list.iter().enumerate() {
-        for (b, error_b) in &list[i + 1..] {
-            let (size_a, size_b) = (complex::abs(*a), complex::abs(*b));
-            let (value, error) = match sort {
-                Sort::Multipliers => (a * b - Complex { re: 1.0, im: 0.0 }, size_a * error_b + size_b * error_a),
-                Sort::Roots => {
-                    let share = if size_a + size_b > 0.0 { 1.0 / (size_a + size_b) } else { 1.0 };
-                    ((a + b).scale(share), (error_a + error_b) * share)
-                }
-            };
+    let (mut product, mut known) = (Complex { re: 1.0, im: 0.0 }, Bond::None);
+    for (i, a) in list.iter().enumerate() {
+        for b in &list[i + 1..] {
+            let (value, error) = bond(*a, *b, sort);
             if complex::abs(value) <= error {
-                bond = Bond::Known;
+                known = Bond::Known;
             }
             product *= value;
         }
     }
-    (list.len() > 1).then_some((product.re, bond))
+    (list.len() > 1).then_some((product.re, known))
 }
 
 /// Number outside of the circle, or right of the axis, each beyond its own error: a wider band would be left where nothing happens.
@@ -83,7 +76,7 @@ pub(super) fn outside(numbers: &[Multiplier], sort: Sort) -> usize {
 }
 
 /// How far outside of the circle, or right of the axis.
-fn off(m: &Multiplier, sort: Sort) -> f64 {
+pub(super) fn off(m: &Multiplier, sort: Sort) -> f64 {
     match sort {
         Sort::Multipliers => m.abs() - 1.0,
         Sort::Roots => m.re,
@@ -97,14 +90,31 @@ pub(super) fn leaving(numbers: &[Multiplier], sort: Sort) -> Option<[f64; 2]> {
     Some([off(next, sort), next.error])
 }
 
-/// Whether a pair with an imaginary part is the one that is on the circle (the axis) next.
+/// Whether the pair whose product is nearest to 1 (whose sum is nearest to 0) is one of conjugates: two real numbers do the same where nothing happens (a neutral saddle).
 pub(super) fn leaves_as_pair(numbers: &[Multiplier], sort: Sort) -> bool {
-    let off = |m: &Multiplier| match sort {
-        Sort::Multipliers => (m.abs() - 1.0).abs(),
-        Sort::Roots => m.re.abs() / m.abs().max(f64::MIN_POSITIVE),
-    };
-    let own = numbers.iter().filter(|m| !m.trivial);
-    own.min_by(|a, b| off(a).total_cmp(&off(b))).is_some_and(|m| m.im != 0.0)
+    let list = own(numbers);
+    let mut nearest = (f64::INFINITY, false);
+    for (i, a) in list.iter().enumerate() {
+        for b in &list[i + 1..] {
+            let (value, _) = bond((*a, 0.0), (*b, 0.0), sort);
+            if complex::abs(value) < nearest.0 {
+                nearest = (complex::abs(value), a.im != 0.0 && b.im != 0.0);
+            }
+        }
+    }
+    nearest.1
+}
+
+/// By how much the product of two multipliers is off 1, or the sum of two roots off 0 as a share of their sizes; with its error.
+fn bond((a, error_a): (Complex, f64), (b, error_b): (Complex, f64), sort: Sort) -> (Complex, f64) {
+    let (size_a, size_b) = (complex::abs(a), complex::abs(b));
+    match sort {
+        Sort::Multipliers => (a * b - Complex { re: 1.0, im: 0.0 }, size_a * error_b + size_b * error_a),
+        Sort::Roots => {
+            let share = if size_a + size_b > 0.0 { 1.0 / (size_a + size_b) } else { 1.0 };
+            ((a + b).scale(share), (error_a + error_b) * share)
+        }
+    }
 }
 
 /// How far the nearest multiplier is from where it would mean something: from 1 and from -1.

@@ -78,7 +78,12 @@ impl Degenerate {
     pub fn settle(&self, matrices: &mut Matrices) {
         let n = matrices.n;
         for part in &self.flat {
-            (0..n * n).for_each(|p| matrices.stiffness[p] -= part.stiffness * part.left[p / n] * part.right[p % n]);
+            for (p, entry) in matrices.stiffness.iter_mut().enumerate() {
+                let rounded = part.stiffness * part.left[p / n] * part.right[p % n];
+                let rest = *entry - rounded;
+                // where nothing else stood only the rounding of both is left
+                *entry = if rest.abs() <= ROUNDED * (entry.abs() + rounded.abs()) { 0.0 } else { rest };
+            }
         }
     }
 }
