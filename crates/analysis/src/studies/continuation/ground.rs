@@ -20,16 +20,19 @@ pub(super) struct Ground<'a, 'o> {
 impl Ground<'_, '_> {
     /// The period at y.
     pub(super) fn period(&mut self, y: &[f64]) -> Result<f64, Fault> {
-        period_at(self.family, y, (self.shooting.is_driven(), self.returns))
+        period_at(self.family, y, self.shooting.is_driven().then_some(self.returns))
     }
 }
 
-/// The period at y: that of the loads as often as they repeat in it, or of a free motion the unknown before the parameter.
+/// The period at y: that of the loads as often as they repeat in it, or of a free motion (none) the unknown before the parameter.
 ///
 /// *Errors*: S150 without one, and those of the family.
-pub(super) fn period_at(family: &mut dyn Family, y: &[f64], (driven, returns): (bool, usize)) -> Result<f64, Fault> {
+pub(super) fn period_at(family: &mut dyn Family, y: &[f64], returns: Option<usize>) -> Result<f64, Fault> {
     let (_, period) = family.at(y[y.len() - 1])?;
-    let period = if driven { period.ok_or_else(no_period)? * returns as f64 } else { y[y.len() - 2] };
+    let period = match returns {
+        Some(returns) => period.ok_or_else(no_period)? * returns as f64,
+        None => y[y.len() - 2],
+    };
     if period > 0.0 && period.is_finite() { Ok(period) } else { Err(no_period()) }
 }
 

@@ -58,7 +58,7 @@ impl<'o> Orbits<'_, 'o> {
         let n = self.shooting.scales().len();
         self.work[0] += 1;
         let (driven, returns) = (self.shooting.is_driven(), self.returns);
-        let period = period_at(self.family, y, (driven, returns))?;
+        let period = period_at(self.family, y, driven.then_some(returns))?;
         let (machine, _) = self.family.at(y[y.len() - 1])?;
         self.shooting.turn(machine, &y[..n], period)
     }
