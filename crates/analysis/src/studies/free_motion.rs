@@ -294,9 +294,12 @@ fn split(m: &Matrices) -> Option<(Split, Dense, Dense)> {
     Some((split, z, w))
 }
 
+/// Directions z, and w, each by coordinate.
+pub(super) type Directions = (Vec<Vec<f64>>, Vec<Vec<f64>>);
+
 /// Free motions: directions z with C z = 0 and w with wᵀ C = 0, in the coordinates of the machine; none where nothing is free, or where something weak may restore
 /// what seems free.
-pub(super) fn directions(m: &Matrices) -> Option<(Vec<Vec<f64>>, Vec<Vec<f64>>)> {
+pub(super) fn directions(m: &Matrices) -> Option<Directions> {
     let n = m.n;
     let (_, z, w) = split(m)?;
     let right: Vec<Vec<f64>> = (0..z.columns).map(|j| (0..n).map(|i| z.at(i, j)).collect()).collect();

@@ -95,12 +95,9 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         () => Damping::General,
     };
     let (mut list, unclear): (Vec<Mode>, Option<Text>) = match kind {
-        Damping::General => roots(system, &basis, (!follows).then_some(&values))?,
+        Damping::General => roots(system, &basis, (!follows).then_some(&values)).map(|(list, unclear)| (ordered(list), unclear))?,
         _ => ((0..n).map(|j| classical(values[j], modal[j * n + j], undamped.shape(j))).collect(), None),
     };
-    if kind == Damping::General {
-        list.sort_by(in_order);
-    }
     if largest(&damping) == 0.0 && !follows {
         list.iter_mut().for_each(conservative);
     }
@@ -114,7 +111,7 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         let second: Vec<Mode> = (0..n).filter(|j| values[*j] == 0.0).filter_map(second).collect();
         if !second.is_empty() {
             list.extend(second);
-            list.arrange_by(in_order);
+            list = ordered(list);
         }
     }
     let mut notes = Vec::new();
@@ -213,6 +210,11 @@ fn classical(v: f64, d: f64, shape: &[f64]) -> Mode {
         }
     };
     Mode { kind, omega, damped: root.1, ratio, root, shape }
+}
+
+fn ordered(mut list: Vec<Mode>) -> Vec<Mode> {
+    list.arrange_by(in_order);
+    list
 }
 
 /// Free motions first, then by frequency.
