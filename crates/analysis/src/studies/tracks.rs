@@ -1,7 +1,7 @@
 //! Modes followed along a parameter: which mode is which is decided by likeness of shapes, so that curves may cross.
 //!
 //! Between two values the likeness of shapes x, y is |xᴴ M y|² / (xᴴ M x · yᴴ M y) (modal assurance); every mode takes the free successor
-//! that is most like it, and where that is not plain, or frequencies pass each other, values between are looked at ([`successors`](super::successors)):
+//! that is most like it, and where that is not plain, or frequencies pass each other, values between are looked at (`successors`):
 //! which mode is which does not depend on the number of values. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
 //! multiples of the speed at which the loads act. A frequency is |λ|, a frequency with damping |Im λ|; the lines are those of the latter.
 
