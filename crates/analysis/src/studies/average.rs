@@ -19,6 +19,10 @@ use std::f64::consts::TAU;
 const INSTANTS: [usize; 4] = [17, 33, 65, 129];
 /// By how much of the largest moment they may differ.
 const AGREE: f64 = 1e-10;
+/// Relative distance of the speeds between which L falls or grows where it vanishes: within a narrow resonance, and a thousand times what [`AGREE`] leaves of a slope.
+const BESIDE: f64 = 1e-7;
+/// Share of the moments that is left where they balance: a narrow resonance, a millionth of its speed wide, turns the rounding of a speed into 1e-10 of them.
+const MET: f64 = 1e-6;
 /// Share of the greatest moment of a turn below which a difference of means is rounding: some thousand of them.
 const ROUNDING: f64 = 1e-13;
 /// Newton's steps.
@@ -84,6 +88,16 @@ impl Turn {
     pub fn balance(&self) -> f64 {
         self.own - self.vibration
     }
+
+    /// The larger of both moments.
+    fn size(&self) -> f64 {
+        self.own.abs().max(self.vibration.abs())
+    }
+
+    /// Whether the rest answers otherwise in another turn at the same speed.
+    pub fn differs(&self, other: &Turn) -> bool {
+        (self.balance() - other.balance()).abs() > MET * self.size().max(other.size()) + ROUNDING * self.greatest.max(other.greatest)
+    }
 }
 
 /// A speed at which the moments balance.
@@ -134,7 +148,13 @@ pub fn steady<T: Turning + ?Sized>(machine: &T, turns: &[Option<Turn>]) -> Vec<S
         }
         let value = |speed: f64| turn(machine, speed, Some(a)).map_or(f64::NAN, |turn| turn.balance());
         let speed = bracketed(&mut |speed| value(speed), (a.speed, a.balance()), (b.speed, b.balance()));
-        Some(Steady { turn: turn(machine, speed, Some(a))?, stable: a.balance() > 0.0 })
+        let found = turn(machine, speed, Some(a))?;
+        // where the answer of the rest falls to another the moments are unlike on both sides, and balance nowhere
+        let met = found.balance().abs() <= MET * a.size().max(b.size()) + ROUNDING * found.greatest;
+        let beside = |by: f64| turn(machine, speed * (1.0 + by), Some(&found)).map(|turn| turn.balance());
+        // both ends may lie on other answers of the rest than the balance
+        let stable = beside(-BESIDE).zip(beside(BESIDE)).map_or(a.balance() > 0.0, |(slower, faster)| slower > faster);
+        met.then_some(Steady { turn: found, stable })
     };
     pairs.filter_map(root).collect()
 }

@@ -14,6 +14,8 @@ use mechanics::model::Plot;
 use serde_json::{Value, json};
 use words::{Notice, Text};
 
+/// Relative distance of two speeds that are one: both are closed in to rounding.
+const ONE: f64 = 1e-9;
 /// Speeds without a wish.
 const POINTS: usize = 201;
 
@@ -36,7 +38,15 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
     if found.iter().all(Option::is_none) {
         return Err(nothing_repeats());
     }
-    let list = steady(&formulas, &found);
+    let mut list = steady(&formulas, &found);
+    let (down, unlike) = downwards(&formulas, &speeds, &found);
+    if !unlike.is_empty() {
+        let known = |s: &Steady| list.iter().any(|l| (l.turn.speed - s.turn.speed).abs() <= ONE * s.turn.speed.abs());
+        let more: Vec<Steady> = steady(&formulas, &down).into_iter().filter(|s| !known(s)).collect();
+        list.extend(more);
+        list.sort_by(|a, b| a.turn.speed.total_cmp(&b.turn.speed));
+    }
+    results.words.extend(several(&unlike));
     results.data = provenance::stamp(table(&speeds, &found), &machine.equations, &machine.model_hash);
     results.plots = vec![Plot { title: Text::default(), x: None, y: vec!["own".into(), "vibration".into()] }];
     for (k, s) in list.iter().enumerate() {
@@ -68,6 +78,33 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
         }
     }
     Ok(())
+}
+
+/// The turns when the speeds are gone through from the fastest down, and the speeds at which the rest answers otherwise then.
+fn downwards(formulas: &Formulas, speeds: &[f64], found: &[Option<Turn>]) -> (Vec<Option<Turn>>, Vec<f64>) {
+    let reversed: Vec<f64> = speeds.iter().rev().copied().collect();
+    let mut down = turns(formulas, &reversed);
+    down.reverse();
+    let both = found.iter().zip(&down).filter_map(|(up, down)| up.as_ref().zip(down.as_ref()));
+    let unlike = both.filter(|(up, down)| up.differs(down)).map(|(up, _)| up.speed).collect();
+    (down, unlike)
+}
+
+/// Speeds at which the rest has several answers.
+fn several(speeds: &[f64]) -> Option<Text> {
+    let (first, last) = speeds.first().zip(speeds.last())?;
+    let [a, b] = [first, last].map(|speed| words::digits::seven_digits(*speed));
+    let count = speeds.len();
+    Some(Text::new(
+        format!(
+            "At {count} of the speeds looked at, from {} to {} rad/s, the rest has more than one motion that repeats after a turn. Those that slower and faster speeds lead to are taken; others, and balances next to the speeds at which they end, are not seen.",
+            a.en, b.en
+        ),
+        format!(
+            "При некоторых из рассмотренных скоростей ({count}, от {} до {} рад/с) остальная машина имеет не одно движение, повторяющееся через оборот. Учтены те, к которым ведут меньшие и большие скорости; остальные, а также балансы рядом со скоростями, где такие движения исчезают, не видны.",
+            a.ru, b.ru
+        ),
+    ))
 }
 
 /// What the numbers are.
