@@ -191,10 +191,11 @@ pub(super) fn one_by_one(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<
         let change = within(change, [passed, 1.0]);
         let part = [passed, change.share];
         passed = change.share;
-        match fine.is_empty() {
-            true => list.push(change),
-            false => list.extend(fine.into_iter().map(|event| within(event, part))),
+        // a fold in the same part explains one of them, and not the rest
+        if unexplained(&from, &after, &fine) {
+            list.push(change);
         }
+        list.extend(fine.into_iter().map(|event| within(event, part)));
         from = after;
     }
     let rest = located(zeros, &from, b, &flagged(&from, b))?;
