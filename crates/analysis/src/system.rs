@@ -136,6 +136,15 @@ pub struct Blow {
     pub work: Option<BlowWork>,
 }
 
+/// Closed contacts at a switch of their gap, by guard.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bends {
+    /// Those whose gap jumps open, or has a positive rate behind the switch: the surface falls away.
+    pub opens: Vec<usize>,
+    /// Those whose gap has a negative rate behind it: the surface rises and strikes.
+    pub strikes: Vec<usize>,
+}
+
 /// Work of the impulses of contacts and frictions in the blows of an instant, relative to the surfaces that meet, J.
 ///
 /// ```text
@@ -517,9 +526,9 @@ pub trait System {
         Ok(Vec::new())
     }
 
-    /// Momenta in an impact by the second derivation, M Δq' - Σ forces Λ for each coordinate: residual and size of the terms that met in it.
-    fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {
-        let _ = (t, x, change, impulses);
+    /// Momenta in an impact by the second derivation, M Δq' - Σ forces Λ for each coordinate, with [Δq', Λ]: residual and size of the terms that met in it.
+    fn momenta(&mut self, t: f64, x: &[f64], jump: [&[f64]; 2], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+        let _ = (t, x, jump, modes);
         None
     }
 
@@ -588,12 +597,12 @@ pub trait System {
         Ok(0)
     }
 
-    /// Contacts, by guard, whose gap jumps open where the modes change from the first to the second, positions and rates of the coordinates running on.
+    /// Closed contacts whose gap has a step or a kink where the modes change from the first to the second, positions and rates of the coordinates running on.
     ///
     /// *Errors*: a place or a velocity that jumps otherwise with a formula of places.
-    fn bend(&mut self, t: f64, x: &[f64], modes: [&[Mode]; 2]) -> Result<Vec<usize>, Fault> {
+    fn bend(&mut self, t: f64, x: &[f64], modes: [&[Mode]; 2]) -> Result<Bends, Fault> {
         let _ = (t, x, modes);
-        Ok(Vec::new())
+        Ok(Bends::default())
     }
 
     /// Moves the rates over a jump of prescribed velocities where the modes change from the first to the second: momenta jump by impulses of connections,
@@ -618,6 +627,12 @@ pub trait System {
     /// their forces. Empty where nothing is known.
     fn ties(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<(usize, Tie)> {
         let _ = (t, x, modes);
+        Vec::new()
+    }
+
+    /// Rounding of the gaps of contacts at a state, m or rad, by guard: what meets in them may be much longer than any way that the machine has gone.
+    fn rounding_of_gaps(&mut self, t: f64, x: &[f64]) -> Vec<(usize, f64)> {
+        let _ = (t, x);
         Vec::new()
     }
 

@@ -59,12 +59,12 @@ impl BlowLaws {
         let before = system.struck(t, states[0], &blow.reactions, modes);
         let after = system.struck(t, states[1], &blow.reactions, modes);
         let (Some(before), Some(after)) = (before, after) else { return };
-        let whole = self.whole((t, states[1]), system, blow);
+        let whole = self.whole((t, states[1]), (system, modes), blow);
         self.judge(&before, &after, blow);
         self.follow_rebounds((t, states[0]), [&before, &after], (system, modes, blow));
         let n = system.n_coordinates();
         let change: Vec<f64> = (n..2 * n).map(|i| states[1][i] - states[0][i]).collect();
-        let rows = system.momenta(t, states[1], &change, &blow.reactions).unwrap_or_default();
+        let rows = system.momenta(t, states[1], [&change, &blow.reactions], modes).unwrap_or_default();
         for ([residual, size], [_, whole]) in rows.into_iter().zip(whole) {
             self.balanced = true;
             self.largest = self.largest.max(size).max(whole);
@@ -80,15 +80,15 @@ impl BlowLaws {
     pub fn look_at_jolt<S: System + ?Sized>(&mut self, t: f64, states: [&[f64]; 2], (system, modes, blow): (&mut S, &[Mode], &Blow)) {
         let [before, after] = states.map(|x| system.struck(t, x, &blow.reactions, modes));
         let (Some(before), Some(after)) = (before, after) else { return };
-        self.whole((t, states[1]), system, blow);
+        self.whole((t, states[1]), (system, modes), blow);
         self.judge(&before, &after, blow);
         self.taken += 1;
     }
 
     /// Momenta of the whole motion by coordinate, with the size of the terms that meet in them: an impulse that follows from them is rounded like these.
-    fn whole<S: System + ?Sized>(&mut self, (t, x): (f64, &[f64]), system: &mut S, blow: &Blow) -> Vec<[f64; 2]> {
+    fn whole<S: System + ?Sized>(&mut self, (t, x): (f64, &[f64]), (system, modes): (&mut S, &[Mode]), blow: &Blow) -> Vec<[f64; 2]> {
         let n = system.n_coordinates();
-        let whole = system.momenta(t, x, &x[n..2 * n], &vec![0.0; blow.reactions.len()]).unwrap_or_default();
+        let whole = system.momenta(t, x, [&x[n..2 * n], &vec![0.0; blow.reactions.len()]], modes).unwrap_or_default();
         self.momentum = whole.iter().fold(self.momentum, |m, [_, size]| m.max(*size));
         whole
     }

@@ -92,6 +92,7 @@ impl TouchLaws {
             self.measure(&touches, step);
             self.without((step, place * length), system, &touches);
             self.weigh((step, place * length), system, &touches);
+            self.weigh_gaps((step, place * length), system, &touches);
             self.judge(&touches, &step.modes);
         }
         self.follow(step, system, length);
@@ -160,6 +161,19 @@ impl TouchLaws {
         };
         if touches.iter().enumerate().any(breaks) {
             self.widen((step, tau), system);
+        }
+    }
+
+    /// The same of a gap that seems to be negative: lengths of the machine meet in it, however little it has moved.
+    fn weigh_gaps<S: System + ?Sized>(&mut self, (step, tau): (&Step, f64), system: &mut S, touches: &[Touch]) {
+        let breaks = |(i, touch): (usize, &Touch)| match touch.law {
+            TouchLaw::Contact { gap } => -gap[0] > CLEAR * self.sizes[i].place,
+            TouchLaw::Friction { .. } => false,
+        };
+        if touches.iter().enumerate().any(breaks) {
+            for (_, rounding) in system.rounding_of_gaps(step.instant(tau).high, &self.x) {
+                self.depth.whole(rounding / (ROUNDED * f64::EPSILON));
+            }
         }
     }
 

@@ -8,7 +8,8 @@
 //!
 //! The potential energy does not jump either but by switches of time: a pathway with a step would do its work in no time.
 //!
-//! What happens there (a catch, a stop, a blow with or without loss) no formula of places says: refused. A gap that jumps open lets its contact go.
+//! What happens there (a catch, a stop, a blow with or without loss) no formula of places says: refused. A contact has a law of its own: a gap that jumps open, or
+//! whose rate becomes positive, lets it go; one whose rate becomes negative is struck, by its restitution.
 
 use algebra::elementary;
 
@@ -16,6 +17,7 @@ use super::Machine;
 use super::conditions::Conditions;
 use super::leap::Leap;
 use crate::fault::bends;
+use crate::system::Bends;
 use crate::{Fault, GuardKind, Mode};
 use words::Text;
 
@@ -27,14 +29,14 @@ const BESIDE: f64 = 1e-9;
 const AGES: f64 = 1e4;
 
 impl Machine {
-    /// Contacts, by guard, whose gap jumps open where the modes change from the first to the second.
+    /// See [`crate::System::bend`].
     ///
     /// *Errors*: S137 to S140 what jumps otherwise.
-    pub(super) fn pass_bend(&mut self, (t, x): (f64, &[f64]), modes: [&[Mode]; 2]) -> Result<Vec<usize>, Fault> {
+    pub(super) fn pass_bend(&mut self, (t, x): (f64, &[f64]), modes: [&[Mode]; 2]) -> Result<Bends, Fault> {
         let flipped = (0..self.guards.len()).filter(|&i| modes[0][i] != modes[1][i]);
         let switch = crate::connections::listed(flipped.map(|i| &self.guards[i].name));
-        let Some(beside) = Beside::new((t, x), self.n_coordinates_of()) else { return Ok(Vec::new()) };
-        let Some(sides) = self.modes_beside(&beside, modes) else { return Ok(Vec::new()) };
+        let Some(beside) = Beside::new((t, x), self.n_coordinates_of()) else { return Ok(Bends::default()) };
+        let Some(sides) = self.modes_beside(&beside, modes) else { return Ok(Bends::default()) };
         let sides = [&sides[0][..], &sides[1][..]];
         if self.momentum_jumps((t, x), sides) {
             return Err(bends::bent_place(&switch, t));
@@ -47,7 +49,7 @@ impl Machine {
         }
         match &mut self.conditions {
             Some(conditions) => conditions.pass_bend(&beside, modes[0], &switch),
-            None => Ok(Vec::new()),
+            None => Ok(Bends::default()),
         }
     }
 
@@ -151,32 +153,40 @@ impl Beside {
 }
 
 impl Conditions {
-    fn pass_bend(&mut self, beside: &Beside, modes: &[Mode], switch: &Text) -> Result<Vec<usize>, Fault> {
+    fn pass_bend(&mut self, beside: &Beside, modes: &[Mode], switch: &Text) -> Result<Bends, Fault> {
         let (places, rates) = (beside.each(|t, x| self.places_at(t, x)), beside.each(|t, x| self.rates_at(t, x).ok()));
-        let (Some(places), Some(rates)) = (places, rates) else { return Ok(Vec::new()) };
+        let (Some(places), Some(rates)) = (places, rates) else { return Ok(Bends::default()) };
         let (t, x) = (beside.instant, &beside.sides[0][0].1);
         // a velocity that jumps with the time alone is prescribed
         let prescribed = self.steps(beside.times(), x)?;
-        let mut opened = Vec::new();
+        let mut found = Bends::default();
+        let mut bent = Vec::new();
         for row in 0..self.rows.len() {
             let (leap, size) = (places.of(row), self.size_of_place(row, x));
             let contact = self.contact_of(row);
             let holds = self.holds_in(row, modes);
             let felt = leap.abs() > FELT * size;
+            let rate = rates.after[0][row];
+            let turns =
+                holds && !prescribed && rates.of(row).abs() > FELT * rates.size(row).max(self.rate_size(row, &x[self.n..2 * self.n]));
             match contact {
-                Some(guard) if felt && places.after[0][row] > FELT * size => opened.extend(holds.then_some(guard)),
+                Some(guard) if felt && places.after[0][row] > FELT * size => found.opens.extend(holds.then_some(guard)),
                 Some(_) if felt && places.after[0][row] < -FELT * size => {
                     return Err(bends::broken_condition(&self.rows[row].name, (switch, t)));
                 }
                 None if felt && holds => return Err(bends::broken_condition(&self.rows[row].name, (switch, t))),
+                Some(guard) if turns && rate > 0.0 => found.opens.push(guard),
+                Some(guard) if turns => found.strikes.push(guard),
+                None if turns => bent.push(row),
                 _ => {}
             }
-            let bent = rates.of(row).abs() > FELT * rates.size(row).max(self.rate_size(row, &x[self.n..2 * self.n]));
-            let parts = contact.is_some() && rates.after[0][row] > 0.0;
-            if bent && holds && !prescribed && !parts {
-                return Err(bends::bent_condition(&self.rows[row].name, (switch, t)));
-            }
         }
-        Ok(opened)
+        // a wheel does not roll on a track that it leaves, and is struck with it
+        let free =
+            |row: &usize| self.rough_on(*row).is_some_and(|contact| found.opens.contains(&contact) || found.strikes.contains(&contact));
+        match bent.into_iter().find(|row| !free(row)) {
+            Some(row) => Err(bends::bent_condition(&self.rows[row].name, (switch, t))),
+            None => Ok(found),
+        }
     }
 }

@@ -19,6 +19,7 @@ use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
 
+use super::Switches;
 use super::leap::Leap;
 use crate::{Fault, Mode, Quantity};
 use algebra::cholesky::{Cholesky, is_firm};
@@ -73,6 +74,8 @@ pub(super) struct Conditions {
     /// Whether each coordinate is an angle, and has the size 1.
     angles: Vec<bool>,
     pub(super) values: Vec<f64>,
+    /// The modes of the flow: the sides on which formulas of places stand where a switch of theirs is on its surface.
+    sides: Switches,
     /// Rows in force.
     pub(super) active: Vec<usize>,
     /// Largest terms of each row's place so far: in some positions all levers vanish.
@@ -167,6 +170,7 @@ impl Conditions {
             motors: program.solved.iter().copied().filter(motor).collect(),
             angles: equations.coordinates.iter().map(|c| c.unit == "rad").collect(),
             values: Vec::new(),
+            sides: Switches::default(),
             active: Vec::with_capacity(rows.len()),
             arms: vec![0.0; rows.len()],
             spans: vec![0.0; rows.len()],
@@ -181,15 +185,35 @@ impl Conditions {
         }))
     }
 
-    fn activate(&mut self, modes: &[Mode]) {
+    fn activate(&mut self, modes: &[Mode], bound: &Bound) {
+        self.sides.set(modes, bound);
         self.active.clear();
         let mut active = std::mem::take(&mut self.active);
         active.extend((0..self.rows.len()).filter(|&row| self.holds_in(row, modes)));
         self.active = active;
     }
 
+    /// All numbers at a state, switches by the values of their guards.
     pub(super) fn evaluate(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
-        let values = self.evaluator.evaluate(&Point { time: t, states: x, ..Point::default() })?;
+        self.evaluate_at(&Point { time: t, states: x, ..Point::default() })
+    }
+
+    /// The same on the side of these modes: at a switch its guard is rounding of either sign.
+    pub(super) fn evaluate_in(&mut self, (t, x): (f64, &[f64]), (modes, bound): (&[Mode], &Bound)) -> Result<(), Fault> {
+        self.sides.set(modes, bound);
+        self.evaluate_on_side(t, x)
+    }
+
+    fn evaluate_on_side(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        let sides = std::mem::take(&mut self.sides);
+        let point = Point { time: t, states: x, modes: Some(&sides.modes), active: Some(&sides.active), ..Point::default() };
+        let done = self.evaluate_at(&point);
+        self.sides = sides;
+        done
+    }
+
+    fn evaluate_at(&mut self, point: &Point) -> Result<(), Fault> {
+        let values = self.evaluator.evaluate(point)?;
         self.values.clear();
         self.values.extend_from_slice(values);
         Ok(())
@@ -239,6 +263,11 @@ impl Conditions {
     /// The guard of a contact.
     pub(super) fn contact_of(&self, row: usize) -> Option<usize> {
         if let Holds::Closed(guard, _) = self.rows[row].holds { Some(guard) } else { None }
+    }
+
+    /// The contact, by guard, on which a row rolls.
+    pub(super) fn rough_on(&self, row: usize) -> Option<usize> {
+        if let Holds::Rough(guard) = self.rows[row].holds { Some(guard) } else { None }
     }
 
     /// Whether a condition is in force.
@@ -320,14 +349,27 @@ impl Conditions {
 
     /// What meets in the places as they were computed: at a start where all lengths of the state vanish the prescribed ones are left.
     fn remember_terms(&mut self) {
-        let off = Behind::default().rounding(&self.evaluator, &[], &[], &mut Vec::new());
+        let off = self.rounding_of_places();
         for k in 0..self.active.len() {
             let row = self.active[k];
-            let place = self.roots.places.start + self.rows[row].condition;
-            if let Some(off) = off.get(place).filter(|off| self.rows[row].has_place && off.is_finite()) {
-                self.arms[row] = self.arms[row].max(off / ROUNDING);
-            }
+            self.arms[row] = self.arms[row].max(off[row] / ROUNDING);
         }
+    }
+
+    /// Rounding of the place of each row in the last numbers, by running error analysis; 0 where there is none.
+    fn rounding_of_places(&self) -> Vec<f64> {
+        let off = Behind::default().rounding(&self.evaluator, &[], &[], &mut Vec::new());
+        let of = |row: &Row| off.get(self.roots.places.start + row.condition).copied().filter(|off| row.has_place && off.is_finite());
+        self.rows.iter().map(|row| of(row).unwrap_or(0.0)).collect()
+    }
+
+    /// The same of the gaps of contacts at a state, by guard.
+    pub(super) fn rounding_of_gaps(&mut self, t: f64, x: &[f64]) -> Vec<(usize, f64)> {
+        if self.evaluate(t, x).is_err() {
+            return Vec::new();
+        }
+        let off = self.rounding_of_places();
+        (0..self.rows.len()).filter_map(|row| Some((self.contact_of(row)?, off[row]))).collect()
     }
 
     fn remember_rates(&mut self, x: &[f64]) {
@@ -343,13 +385,13 @@ impl Conditions {
     }
 
     /// See [`crate::System::project`].
-    pub(super) fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
+    pub(super) fn project(&mut self, t: f64, x: &mut [f64], (modes, bound): (&[Mode], &Bound)) -> Result<f64, Fault> {
         self.drifts.fill([0.0; 2]);
-        self.activate(modes);
+        self.activate(modes, bound);
         if self.active.is_empty() {
             return Ok(0.0);
         }
-        self.evaluate(t, x)?;
+        self.evaluate_on_side(t, x)?;
         self.remember_arms(x);
         let mut place = self.worst(x, Level::Place);
         if place > REACHED {
@@ -381,12 +423,12 @@ impl Conditions {
     }
 
     /// See [`crate::System::polish`].
-    pub(super) fn polish(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<(), Fault> {
-        self.activate(modes);
+    pub(super) fn polish(&mut self, t: f64, x: &mut [f64], (modes, bound): (&[Mode], &Bound)) -> Result<(), Fault> {
+        self.activate(modes, bound);
         if self.active.is_empty() {
             return Ok(());
         }
-        self.evaluate(t, x)?;
+        self.evaluate_on_side(t, x)?;
         for level in [Level::Place, Level::Rate] {
             self.close(t, x, level, self.worst(x, level))?;
         }
@@ -453,7 +495,7 @@ impl Conditions {
                 // what cancels to rounding is zero: a body that sticks must not creep
                 *value = if level == Level::Rate && next.abs() <= CANCELS * start.abs().max(value.abs()) { 0.0 } else { next };
             }
-            self.evaluate(t, x)?;
+            self.evaluate_on_side(t, x)?;
             let (now, smaller) = (self.worst(x, level), self.left(level));
             let falls = smaller < 0.5 * left;
             let helps = now < 0.5 * violation || falls;
@@ -467,7 +509,7 @@ impl Conditions {
         }
         if best != x {
             x.copy_from_slice(&best);
-            self.evaluate(t, x)?;
+            self.evaluate_on_side(t, x)?;
         }
         // rates that vanish leave nothing to compare with
         if level == Level::Place && violation > REACHED {
@@ -595,7 +637,7 @@ impl Conditions {
     }
 
     /// See [`crate::System::repeats`].
-    pub(super) fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
+    pub(super) fn repeats(&mut self, t: f64, x: &[f64], (modes, bound): (&[Mode], &Bound)) -> Result<usize, Fault> {
         let carries = |row: &Row| match row.holds {
             Holds::Sticking(guard, _) | Holds::Closed(guard, _) | Holds::Rough(guard) => {
                 modes[guard] == Mode::Zero && row.share.is_some_and(|share| modes[share] == Mode::Positive)
@@ -606,7 +648,7 @@ impl Conditions {
         if own.is_empty() {
             return Ok(0);
         }
-        self.evaluate(t, x)?;
+        self.evaluate_in((t, x), (modes, bound))?;
         self.activate_ideal();
         let rank = |c: &Conditions| {
             let (n, m) = (c.n, c.active.len());

@@ -27,7 +27,7 @@
 //! *Source*: B. Brogliato, Nonsmooth Mechanics, chapters 5 and 6; Glocker, Set-Valued Force Laws, chapters 7 to 9.
 
 use algebra::lu::Lu;
-use program::Point;
+use program::{Bound, Point};
 
 use super::bilateral::Bilateral;
 use super::conditions::{Conditions, Holds};
@@ -46,11 +46,17 @@ pub(super) struct Kick<'k> {
 
 impl Conditions {
     /// See [`crate::System::impact`].
-    pub(super) fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
+    pub(super) fn impact(
+        &mut self,
+        (t, x): (f64, &mut [f64]),
+        (modes, bound): (&[Mode], &Bound),
+        closing: &[usize],
+    ) -> Result<Blow, Fault> {
+        self.evaluate_in((t, x), (modes, bound))?;
         self.struck((t, x), modes, closing, None)
     }
 
-    /// The same with generalized impulses given beside, at a jump of prescribed velocities.
+    /// The same with the last numbers, and generalized impulses given beside, at a jump of prescribed velocities.
     pub(super) fn struck(
         &mut self,
         (t, x): (f64, &mut [f64]),
@@ -58,7 +64,6 @@ impl Conditions {
         closing: &[usize],
         kick: Option<Kick<'_>>,
     ) -> Result<Blow, Fault> {
-        self.evaluate(t, x)?;
         let values = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
         let units = self.units((modes, closing), &x[self.n..2 * self.n], &values);
         let bilateral = Bilateral::new(self, t)?;

@@ -12,7 +12,7 @@
 use super::Machine;
 use super::impact::Kick;
 use super::leap::Leap;
-use crate::{Blow, Fault, GuardKind, Mode, System};
+use crate::{Blow, Fault, Mode, System};
 
 /// Share of its size below which a change of momentum or rate is rounding.
 const ROUNDING: f64 = 1e-12;
@@ -47,7 +47,10 @@ impl Machine {
         }
         let carried = self.balances_beside([earlier, later], x).map_or_else(Vec::new, |beside| beside.carried);
         let mut blow = match &mut self.conditions {
-            Some(conditions) => conditions.struck((later, x), modes[0], closing, Some(Kick { impulses: &kick, carried: &carried }))?,
+            Some(conditions) => {
+                conditions.evaluate(later, x)?;
+                conditions.struck((later, x), modes[0], closing, Some(Kick { impulses: &kick, carried: &carried }))?
+            }
             None => self.kicked(t, x, modes[1], &kick)?,
         };
         let jump: Vec<f64> = rates.iter().zip(&x[n..2 * n]).map(|(before, after)| after - before).collect();
@@ -84,22 +87,6 @@ impl Machine {
         let change = algebra::lu::Lu::new(&mass, n).solve(kick).ok_or_else(undetermined)?;
         x[n..2 * n].iter_mut().zip(change).for_each(|(v, d)| *v += d);
         Ok(Blow::default())
-    }
-
-    /// The instant beside t at which formulas of time that switch by value are on the side of these modes; t itself away from their switches.
-    pub(super) fn side_of(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> f64 {
-        let sides = beside(t).map(|t| (t, self.bound.modes(t, x)));
-        let [(_, Ok(before)), (_, Ok(after))] = &sides else { return t };
-        let differ: Vec<usize> = (0..before.len()).filter(|&i| before[i] != after[i] && self.guards[i].kind == GuardKind::Switch).collect();
-        if differ.is_empty() {
-            return t;
-        }
-        let agrees = |side: &[Mode]| differ.iter().all(|&i| side[i] == modes[i]);
-        match (agrees(before), agrees(after)) {
-            (true, false) => sides[0].0,
-            (false, true) => sides[1].0,
-            _ => t,
-        }
     }
 
     /// T with these rates.

@@ -9,7 +9,7 @@ use words::Text;
 use super::conditions::Conditions;
 use super::meaning::{Refusal, reads_accelerations};
 use super::{Machine, Switches, touching};
-use crate::system::{Layout, Motions};
+use crate::system::{Bends, Layout, Motions};
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 
 impl System for Machine {
@@ -309,13 +309,15 @@ impl System for Machine {
         self.open_under(t, x, modes, blow)
     }
 
-    fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {
+    fn momenta(&mut self, t: f64, x: &[f64], jump: [&[f64]; 2], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
         if self.balanced.is_empty() {
             return None;
         }
-        let inputs = [change, impulses].concat();
-        let point = Point { time: t, states: x, accelerations: &inputs, ..Point::default() };
-        touching::linear(&mut self.second, &point, change.len())
+        self.observing.set(modes, &self.bound);
+        let Switches { modes, active, .. } = &self.observing;
+        let inputs = jump.concat();
+        let point = Point { time: t, states: x, accelerations: &inputs, modes: Some(modes), active: Some(active) };
+        touching::linear(&mut self.second, &point, jump[0].len())
     }
 
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
@@ -364,11 +366,7 @@ impl System for Machine {
     }
 
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
-        if self.conditions.is_none() {
-            return Ok(0.0);
-        }
-        let t = if self.bound.program().steps { self.side_of(t, x, modes) } else { t };
-        self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.project(t, x, modes))
+        self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.project(t, x, (modes, &self.bound)))
     }
 
     fn margin(&mut self, t: f64, x: &[f64]) -> Option<f64> {
@@ -381,7 +379,7 @@ impl System for Machine {
 
     fn polish(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<(), Fault> {
         match &mut self.conditions {
-            Some(conditions) => conditions.polish(t, x, modes),
+            Some(conditions) => conditions.polish(t, x, (modes, &self.bound)),
             None => Ok(()),
         }
     }
@@ -395,19 +393,14 @@ impl System for Machine {
     }
 
     fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
-        self.conditions.as_mut().map_or(Ok(0), |conditions| conditions.repeats(t, x, modes))
+        self.conditions.as_mut().map_or(Ok(0), |conditions| conditions.repeats(t, x, (modes, &self.bound)))
     }
 
     fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
-        if self.conditions.is_none() {
-            return Ok(Blow::default());
-        }
-        // a surface with a kink at this instant has the rate of the side on which it is met
-        let t = if self.bound.program().steps { self.side_of(t, x, modes) } else { t };
         let Some(conditions) = &mut self.conditions else { return Ok(Blow::default()) };
         let n = self.bound.program().coordinates;
         let rates = x[n..2 * n].to_vec();
-        let mut blow = conditions.impact(t, x, modes, closing)?;
+        let mut blow = conditions.impact((t, x), (modes, &self.bound), closing)?;
         let jump: Vec<f64> = rates.iter().zip(&x[n..2 * n]).map(|(before, after)| after - before).collect();
         self.hold([t, t], x, &jump, &mut blow);
         Ok(blow)
@@ -417,8 +410,8 @@ impl System for Machine {
         &self.impulses
     }
 
-    fn bend(&mut self, t: f64, x: &[f64], modes: [&[Mode]; 2]) -> Result<Vec<usize>, Fault> {
-        if self.is_bent { self.pass_bend((t, x), modes) } else { Ok(Vec::new()) }
+    fn bend(&mut self, t: f64, x: &[f64], modes: [&[Mode]; 2]) -> Result<Bends, Fault> {
+        if self.is_bent { self.pass_bend((t, x), modes) } else { Ok(Bends::default()) }
     }
 
     fn jolt(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
@@ -427,6 +420,10 @@ impl System for Machine {
 
     fn ties(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<(usize, Tie)> {
         self.rounding_of_contacts(t, x, modes).unwrap_or_default()
+    }
+
+    fn rounding_of_gaps(&mut self, t: f64, x: &[f64]) -> Vec<(usize, f64)> {
+        self.conditions.as_mut().map_or_else(Vec::new, |conditions| conditions.rounding_of_gaps(t, x))
     }
 
     fn rounding_of_accelerations(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<f64> {

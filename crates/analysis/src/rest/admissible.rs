@@ -18,6 +18,8 @@ use algebra::vectors::norm;
 const SLACK: f64 = 1e-9;
 /// Slacks within which an inequality counts as met at an end of a range.
 const ACTIVE: f64 = 4.0;
+/// Slacks below which a range is one value.
+const UNSURE: f64 = 100.0;
 /// Frictions whose normal force may have either sign; beyond, all are taken as they are in λ0.
 const SIGNS: usize = 6;
 /// Share of the largest entry of a reaction below which another is rounding: levers are metres and not 1e-15 of them.
@@ -115,6 +117,21 @@ impl Hold {
         }
     }
 
+    /// Whether a friction is at its limit on this side whatever the admissible reactions are: elsewhere another share of the load holds the machine further on.
+    pub fn is_at_limit(&self, column: usize, side: f64) -> bool {
+        let Some(limit) = self.limits.iter().position(|limit| limit.column == column) else { return true };
+        let left = |set: &Vec<Inequality>| {
+            // what is left of μ |N| on that side, among the inequalities behind those of the contacts
+            let (row, constant) = &set[self.contacts.len() + 2 * limit + usize::from(side > 0.0)];
+            match largest(row, set) {
+                Optimum::At(most, _) => most + constant,
+                Optimum::Nowhere => 0.0,
+                Optimum::Unbounded => f64::INFINITY,
+            }
+        };
+        self.sets(1.0).all(|set| left(&set) <= UNSURE * SLACK)
+    }
+
     /// The contact that is furthest on the wrong side in the solution at hand.
     fn worst_contact(&self) -> usize {
         self.contacts.iter().copied().min_by(|a, b| self.some[*a].total_cmp(&self.some[*b])).unwrap_or(0)
@@ -168,7 +185,7 @@ impl Hold {
         };
         let (least, most) = (end(-1.0), end(1.0));
         // slack leaves a range of its own size where there is one value
-        if most - least <= 100.0 * SLACK * unit { (0.5 * (least + most), 0.5 * (least + most)) } else { (least, most) }
+        if most - least <= UNSURE * SLACK * unit { (0.5 * (least + most), 0.5 * (least + most)) } else { (least, most) }
     }
 
     fn feasible(&self, set: &[Inequality]) -> bool {

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! Every friction at its limit is one equation, which takes the place of a coordinate that friction would hold anywhere: so the ends of the ranges in which dry friction
-//! holds a machine are found. The equations are solved by Newton's method from places all over the range.
+//! holds a machine are found. The equations are solved by Newton's method from places all over the range. Where reactions are not unique they may be met inside such a
+//! range, by one share of the load among many: there another share holds the machine further on. An end is where all admissible reactions have these limits.
 
 use symbolic::Equations;
 use symbolic::connections::Law;
@@ -106,7 +107,10 @@ fn from(
         if worst(&choose(&all, &z), &z) > UNBALANCED || limits.iter().any(|limit| limit.is_turned(&all)) {
             continue;
         }
-        if matches!(hold(equations, &system, &all, &z).judge(), Holds::Between(_)) {
+        let hold = hold(equations, &system, &all, &z);
+        let column = |r: usize| system.reactions.iter().position(|own| *own == r);
+        let at_limit = |(r, side): &Impending| column(*r).is_none_or(|column| hold.is_at_limit(column, *side));
+        if matches!(hold.judge(), Holds::Between(_)) && impending.iter().all(at_limit) {
             found.push(z[..system.n].to_vec());
         }
     }

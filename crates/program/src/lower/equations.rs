@@ -56,12 +56,12 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(energy(equations, &guards)?),
         touches: Arc::new(super::touches::touches(equations, &guards)?),
-        second: Arc::new(second(equations)?),
+        second: Arc::new(second(equations, &guards)?),
         released: Arc::new(released(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
         rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
-        connections: Arc::new(if connected { connections(equations, &names)? } else { nothing(equations, "connections")? }),
+        connections: Arc::new(if connected { connections(equations, &names, &guards)? } else { nothing(equations, "connections")? }),
         laws: Arc::new(laws(equations, arrangement.kept())?),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
@@ -222,7 +222,7 @@ fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, dynam
 }
 
 /// Values and derivatives of all conditions, M, gaps, restitutions, forces: see [`crate::ConnectionRoots`].
-fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+fn connections(equations: &Equations, names: &Names, guards: &GuardTable) -> Result<Tape, Fault> {
     let (graph, zero) = equations.graph.with_zero();
     let n = equations.coordinates.len();
     let conditions = || equations.conditions.iter();
@@ -240,7 +240,7 @@ fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
     for r in &equations.reactions {
         roots.extend(sparse(&r.forces, n, zero).into_iter().zip(&names.states).map(|(e, q)| (format!("{} on {q}", r.name), e)));
     }
-    Lowering::new(&graph, &over_states(equations), Switches::Value).tape("connections", &roots)
+    Lowering::new(&graph, &over_states(equations), Switches::Known(guards)).tape("connections", &roots)
 }
 
 /// Laws of friction in an impact: see [`crate::LawRoots`].
@@ -317,9 +317,9 @@ fn energy(equations: &Equations, guards: &GuardTable) -> Result<Tape, Fault> {
 }
 
 /// Residuals of the second derivation, then those of the first: M q'' - Σ forces λ - h and Σ columns q'' - rest - Σ released λ.
-fn second(equations: &Equations) -> Result<Tape, Fault> {
+fn second(equations: &Equations, guards: &GuardTable) -> Result<Tape, Fault> {
     let n = equations.coordinates.len();
-    let mut lowering = Lowering::new(&equations.graph, &over_reactions(equations), Switches::Value);
+    let mut lowering = Lowering::new(&equations.graph, &over_reactions(equations), Switches::Known(guards));
     let mut roots = Vec::with_capacity(2 * n);
     for (i, e) in equations.second.iter().enumerate() {
         roots.push(Root { name: format!("second {}", i + 1), register: lowering.register(*e)? });

@@ -13,6 +13,7 @@
 //! closes by itself where its rates are rounding of those of the bodies that meet and shrink no more.
 
 use crate::integrate::taylor::Flow;
+use crate::system::Bends;
 use crate::{Blow, Fault, GuardKind, Mode, System};
 
 use crate::integrate::crossings::{Hit, Impact, opposite};
@@ -38,6 +39,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let on: Vec<usize> = (0..self.modes.len())
             .filter(|&i| self.is_contact(i) && !gone.contains(&i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_met(i)))
             .collect();
+        // behind a switch at which a surface rises its rates are those of the other side
+        let sides = if self.risen { self.flipped() } else { None };
+        if let Some(after) = &sides {
+            self.system.expand(self.now.high, &self.x, after, 1)?;
+        }
         // what is closed has no rate, whatever the sign of its rounding
         let before: Vec<f64> = on.iter().map(|&i| if self.modes[i] == Mode::Zero { 0.0 } else { self.gap_rate(i) }).collect();
         if let Some(impacts) = self.jolt(&on, &before)? {
@@ -48,8 +54,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.close_touched(&on);
             return Ok(Vec::new());
         }
-        let blow = self.system.impact(self.now.high, &mut self.x, &self.modes, &on).map_err(|f| f.during(self.now.high))?;
-        self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
+        let sides = sides.as_deref().unwrap_or(&self.modes);
+        let blow = self.system.impact(self.now.high, &mut self.x, sides, &on).map_err(|f| f.during(self.now.high))?;
+        self.system.expand(self.now.high, &self.x, sides, 1)?;
         let impacts = self.struck((&on, &before), &blow);
         self.blow = Some(blow);
         Ok(impacts)
@@ -63,17 +70,19 @@ impl<S: System + ?Sized> Flow<'_, S> {
         (after != self.modes).then_some(after)
     }
 
-    /// Opens contacts whose surface jumps away, and gives them.
+    /// Opens contacts whose surface falls away, and gives them; one whose surface rises is open and met.
     ///
     /// *Errors*: S137, S138, S139 what jumps otherwise.
     fn let_go(&mut self) -> Result<Vec<usize>, Fault> {
+        self.risen = false;
         let Some(after) = self.flipped() else { return Ok(Vec::new()) };
-        let gone = self.system.bend(self.now.high, &self.x, [&self.modes, &after])?;
-        for &i in &gone {
+        let Bends { opens, strikes } = self.system.bend(self.now.high, &self.x, [&self.modes, &after])?;
+        for &i in opens.iter().chain(&strikes) {
             self.modes[i] = Mode::Positive;
-            self.touched[i] = false;
+            self.touched[i] = strikes.contains(&i);
         }
-        Ok(gone)
+        self.risen = !strikes.is_empty();
+        Ok(opens)
     }
 
     /// Impacts by a jump of prescribed velocities; none when no switch that was reached makes one.

@@ -371,7 +371,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let known = self.without_ties(i, g);
         let g = known.as_deref().unwrap_or(g);
         let change = size(g.get(1..)?, h) * h;
-        if change <= STILL * self.guard_scale[i] {
+        // what a crossed limit lets go moves, however little: its scale is that of trials in which it moved the other way
+        let still = if self.leaving[i] { 0.0 } else { STILL * self.guard_scale[i] };
+        if change <= still {
             return None;
         }
         leading_term(g, h, if self.leaving[i] { SIGNIFICANT_LEAVING } else { SIGNIFICANT })

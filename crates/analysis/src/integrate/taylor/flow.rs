@@ -7,7 +7,7 @@ use super::over::Passage;
 use crate::integrate::Step;
 use crate::integrate::crossings::roots::RootFinder;
 use crate::integrate::crossings::{Hit, Rival, Switch};
-use crate::{Blow, Fault, Mode, System, Tie};
+use crate::{Blow, Fault, GuardKind, Mode, System, Tie};
 use algebra::sum::Instant;
 
 /// A motion under way.
@@ -37,6 +37,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) rebounds: Vec<bool>,
     /// Whether prescribed velocities jump at this instant.
     pub(crate) jolted: bool,
+    /// A closed contact is struck by its own surface at this instant, which rises behind a switch.
+    pub(crate) risen: bool,
     /// The last impact at each contact.
     pub(crate) hits: Vec<Option<Hit>>,
     /// What the impact of the last event did.
@@ -51,6 +53,9 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
     pub(crate) touched: Vec<bool>,
+    /// The same as the event left it, before the trials of modes; and what was on its surface in one of them.
+    pub(crate) grounded: Vec<bool>,
+    pub(crate) met: Vec<bool>,
     /// sum |g_k| h^k of each guard when it was last expanded: what counts as small.
     pub(crate) guard_scale: Vec<f64>,
     /// The largest contact or normal force where modes were decided last.
@@ -137,6 +142,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Modes just before the last event.
     pub fn modes_before(&self) -> &[Mode] {
         &self.modes_before
+    }
+    /// The modes in which its contacts struck: a surface that rises behind a switch strikes with the rates of the other side.
+    pub fn modes_struck(&self) -> Vec<Mode> {
+        let turned = |i: usize| self.risen && self.system.guards()[i].kind == GuardKind::Switch;
+        (0..self.modes.len()).map(|i| if turned(i) { self.modes[i] } else { self.modes_before[i] }).collect()
     }
     /// What the impact of the last event did, if there was one.
     pub fn blow(&self) -> Option<&Blow> {

@@ -21,7 +21,7 @@ impl Run {
             return;
         }
         let Some(blow) = flow.blow().cloned().filter(|blow| !blow.reactions.is_empty()) else { return };
-        let (t, before, after, modes) = (flow.time(), flow.state_before(), flow.state().to_vec(), flow.modes_before().to_vec());
+        let (t, before, after, modes) = (flow.time(), flow.state_before(), flow.state().to_vec(), flow.modes_struck());
         if flow.switches().iter().any(|s| s.change == Change::Jolt) {
             let modes = flow.modes().to_vec();
             return self.blows.look_at_jolt(t, [&before, &after], (flow.system(), &modes, &blow));
