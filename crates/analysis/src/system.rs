@@ -136,6 +136,24 @@ pub struct Blow {
     pub work: Option<BlowWork>,
 }
 
+/// Corners of the admissible reactions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Corners {
+    /// Those to be tried first before the others.
+    pub list: Vec<Corner>,
+    /// Whether all limits are linear in the reactions. Those of journals are taken beside one direction of their forces.
+    pub exact: bool,
+}
+
+/// A distribution of reactions at a corner of those that are admissible.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Corner {
+    /// Modes of shares and sides: what is left to others, and at which limit it stands.
+    pub idle: Vec<(usize, Mode)>,
+    /// All frictions at their limits, by guard, with the way in which they would slide.
+    pub limits: Vec<(usize, Mode)>,
+}
+
 /// Closed contacts at a switch of their gap, by guard.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bends {
@@ -595,6 +613,19 @@ pub trait System {
     fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
         let _ = (t, x, modes);
         Ok(0)
+    }
+
+    /// How the contacts and frictions that hold in these modes can carry their load within their limits; first where most is left of the limits of `relieved`, by
+    /// guard. Empty where they cannot; none where nothing is shared.
+    fn shares(&mut self, t: f64, x: &[f64], modes: &[Mode], relieved: &[usize]) -> Option<Corners> {
+        let _ = (t, x, modes, relieved);
+        None
+    }
+
+    /// Modes that contacts and frictions which hold in these modes take where they cannot hold, by guard: a suggestion.
+    fn likely(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<(usize, Mode)>> {
+        let _ = (t, x, modes);
+        None
     }
 
     /// Closed contacts whose gap has a step or a kink where the modes change from the first to the second, positions and rates of the coordinates running on.

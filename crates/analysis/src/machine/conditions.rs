@@ -650,14 +650,21 @@ impl Conditions {
         }
         self.evaluate_in((t, x), (modes, bound))?;
         self.activate_ideal();
-        let rank = |c: &Conditions| {
-            let (n, m) = (c.n, c.active.len());
-            let columns: Vec<f64> = (0..n * m).map(|k| c.column(c.active[k % m])[k / m]).collect();
-            Qr::new(&columns, n, m).rank()
-        };
-        let ideal = rank(self);
+        let ideal = self.rank_of(&self.active);
         self.active.extend(&own);
-        Ok((ideal + own.len()).saturating_sub(rank(self)))
+        Ok((ideal + own.len()).saturating_sub(self.rank_of(&self.active)))
+    }
+
+    /// How many of these rows are independent in the last numbers.
+    pub(super) fn rank_of(&self, rows: &[usize]) -> usize {
+        let (n, m) = (self.n, rows.len());
+        let columns: Vec<f64> = (0..n * m).map(|k| self.column(rows[k % m])[k / m]).collect();
+        Qr::new(&columns, n, m).rank()
+    }
+
+    /// The guard by which a row may be left to others.
+    pub(super) fn share_of(&self, row: usize) -> Option<usize> {
+        self.rows[row].share
     }
 }
 

@@ -30,10 +30,30 @@ const STEADY: f64 = 1e-7;
 const TURNS: usize = 50;
 
 /// A reaction that acts as a force of its own at a state.
-struct Acting {
-    reaction: usize,
-    guard: Option<usize>,
+pub(super) struct Acting {
+    pub(super) reaction: usize,
+    pub(super) guard: Option<usize>,
     kind: Kind,
+}
+
+/// What presses a friction.
+pub(super) struct Pressed {
+    pub(super) kinetic: f64,
+    pub(super) fixed: f64,
+    /// Not negative.
+    pub(super) normal: f64,
+    /// Whether it has one component.
+    pub(super) single: bool,
+    /// How it changes with each reaction.
+    pub(super) terms: Vec<f64>,
+}
+
+/// What acts at a state, by column of its limits.
+pub(super) struct Limits {
+    pub(super) acting: Vec<Acting>,
+    pub(super) hold: Hold,
+    /// Whether the limits are linear in the reactions.
+    pub(super) exact: bool,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -45,7 +65,7 @@ enum Kind {
 }
 
 /// A friction that slides: λ = factor N.
-struct Sliding {
+pub(super) struct Sliding {
     reaction: usize,
     factor: f64,
     terms: Vec<(usize, f64)>,
@@ -193,6 +213,54 @@ impl Machine {
         Ok(unpinned(&hold).iter().any(moves))
     }
 
+    /// What acts in the modes of `observing`, with the directions in which reactions of the last solution are open and the limits along them; none where all are unique.
+    pub(super) fn limits_of_acting(&mut self, (t, x): (f64, &[f64])) -> Result<Option<Limits>, Fault> {
+        let inputs = self.accelerations.clone();
+        let pressing = self.pressing((t, x), &inputs);
+        let laws = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
+        let shares = self.balances.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
+        let program = self.bound.program();
+        let reactions = &inputs[program.coordinates..];
+        let Some(conditions) = &self.conditions else { return Ok(None) };
+        let modes = &self.observing.modes;
+        let acting = conditions.acting(modes, &program.hidden);
+        let sliding = conditions.sliding(modes, (&laws, reactions), &self.sharing);
+        let columns: Vec<Vec<f64>> =
+            acting.iter().map(|a| conditions.effect(&with_sliding(a.reaction, program.reactions, &sliding), &shares)).collect();
+        let free = null_space(&columns);
+        if free.is_empty() {
+            return Ok(None);
+        }
+        let mut hold = hold(&acting, free, (reactions, &laws), (conditions, &self.sharing));
+        hold.limits =
+            acting.iter().enumerate().filter_map(|(column, a)| whole_limit((column, a), (&acting, &pressing), reactions)).collect();
+        let of = |a: &Acting| pressing.iter().find(|(r, _)| *r == a.reaction).is_none_or(|(_, pressed)| pressed.single);
+        let exact = acting.iter().all(of);
+        Ok(Some(Limits { acting, hold, exact }))
+    }
+
+    /// What presses each friction with these accelerations and reactions, by reaction: the resultant along its own direction, as a linear form about them.
+    pub(super) fn pressing(&mut self, (t, x): (f64, &[f64]), inputs: &[f64]) -> Vec<(usize, Pressed)> {
+        let (Some(normals), Ok(laws)) =
+            (self.normals((t, x), inputs), self.laws.evaluate(&Point { time: t, states: x, ..Point::default() }))
+        else {
+            return Vec::new();
+        };
+        let Some(conditions) = &self.conditions else { return Vec::new() };
+        let one = |row: &super::conditions::Row| {
+            let (Some(reaction), Holds::Sticking(_, friction)) = (row.reaction, row.holds) else { return None };
+            let place = self.touching.iter().position(|place| place.reaction == reaction)?;
+            let ([kinetic, fixed], [first, second]) = conditions.law(friction, laws);
+            let [along, across] = normals[place];
+            let size = elementary::hypot(along, across);
+            let way = if size > 0.0 { [along / size, across / size] } else { [1.0, 0.0] };
+            let terms = first.iter().zip(second).map(|(a, b)| way[0] * a + way[1] * b).collect();
+            let single = second.iter().all(|f| *f == 0.0);
+            Some((reaction, Pressed { kinetic, fixed, normal: size, single, terms }))
+        };
+        conditions.rows.iter().filter_map(one).collect()
+    }
+
     /// What acts, and the directions in which reactions or impulses of these values are open, by reaction; none where all are unique.
     pub(super) fn open_directions(&mut self, (t, x): (f64, &[f64]), reactions: &[f64]) -> Result<Option<Open>, Fault> {
         let laws = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
@@ -249,7 +317,7 @@ impl Conditions {
         ([own[0], own[1]], [first, second])
     }
 
-    fn sliding(&self, modes: &[Mode], (laws, reactions): (&[f64], &[f64]), sharing: &Sharing) -> Vec<Sliding> {
+    pub(super) fn sliding(&self, modes: &[Mode], (laws, reactions): (&[f64], &[f64]), sharing: &Sharing) -> Vec<Sliding> {
         let mut list = Vec::new();
         for row in &self.rows {
             let (Some(reaction), Holds::Sticking(guard, friction)) = (row.reaction, row.holds) else { continue };
@@ -299,7 +367,7 @@ fn open_supports(hidden: &[usize], reactions: usize, shares: &[f64]) -> Option<O
 }
 
 /// A unit of a reaction with the frictions that slide under it.
-fn with_sliding(reaction: usize, count: usize, sliding: &[Sliding]) -> Vec<f64> {
+pub(super) fn with_sliding(reaction: usize, count: usize, sliding: &[Sliding]) -> Vec<f64> {
     let mut way = vec![0.0; count];
     way[reaction] = 1.0;
     for _ in 0..TURNS {
@@ -361,6 +429,17 @@ fn hold(acting: &[Acting], free: Vec<Vec<f64>>, (reactions, laws): (&[f64], &[f6
         }
     }
     hold
+}
+
+/// The limit of a friction about these reactions.
+fn whole_limit((column, own): (usize, &Acting), (acting, pressing): (&[Acting], &[(usize, Pressed)]), reactions: &[f64]) -> Option<Limit> {
+    let Kind::Friction(_) = own.kind else { return None };
+    let (_, pressed) = pressing.iter().find(|(r, _)| *r == own.reaction)?;
+    let known = |r: usize| if reactions[r].is_finite() { reactions[r] } else { 0.0 };
+    let terms: Vec<(usize, f64)> =
+        acting.iter().enumerate().filter(|(_, a)| pressed.terms[a.reaction] != 0.0).map(|(k, a)| (k, pressed.terms[a.reaction])).collect();
+    let constant = pressed.normal - terms.iter().map(|(k, f)| f * known(acting[*k].reaction)).sum::<f64>();
+    Some(Limit { column, coefficient: pressed.fixed, normal: Some((constant, terms)) })
 }
 
 /// Directions along which no reaction changes that its limits fix.

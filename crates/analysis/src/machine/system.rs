@@ -9,7 +9,7 @@ use words::Text;
 use super::conditions::Conditions;
 use super::meaning::{Refusal, reads_accelerations};
 use super::{Machine, Switches, touching};
-use crate::system::{Bends, Layout, Motions};
+use crate::system::{Bends, Corners, Layout, Motions};
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 
 impl System for Machine {
@@ -394,6 +394,14 @@ impl System for Machine {
 
     fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
         self.conditions.as_mut().map_or(Ok(0), |conditions| conditions.repeats(t, x, (modes, &self.bound)))
+    }
+
+    fn shares(&mut self, t: f64, x: &[f64], modes: &[Mode], relieved: &[usize]) -> Option<Corners> {
+        self.shares_of_load((t, x), modes, relieved)
+    }
+
+    fn likely(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<(usize, Mode)>> {
+        self.likely_modes((t, x), modes)
     }
 
     fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {

@@ -117,6 +117,38 @@ impl Hold {
         }
     }
 
+    /// Admissible reactions at corners, by column: one at which most is left of each limit, those of the columns named first before the others.
+    pub fn corners(&self, first: &[usize]) -> Vec<Vec<f64>> {
+        let owner = |k: usize| match k.checked_sub(self.contacts.len()) {
+            None => self.contacts[k],
+            Some(k) => self.limits[k / 2].column,
+        };
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        for set in self.sets(1.0).filter(|set| self.feasible(set)) {
+            let (before, after): (Vec<usize>, Vec<usize>) = (0..set.len()).partition(|k| first.contains(&owner(*k)));
+            for k in before.into_iter().chain(after) {
+                let Optimum::At(_, y) = largest(&set[k].0, &set) else { continue };
+                let y = at_corner(&y, &set);
+                let value =
+                    |column: usize| self.some[column] + self.unit() * self.free.iter().zip(&y).map(|(z, y)| z[column] * y).sum::<f64>();
+                let corner: Vec<f64> = (0..self.some.len()).map(value).collect();
+                let close = |other: &Vec<f64>| other.iter().zip(&corner).all(|(a, b)| (a - b).abs() <= UNSURE * SLACK * self.unit());
+                if !found.iter().any(close) {
+                    found.push(corner);
+                }
+            }
+        }
+        found
+    }
+
+    /// The limit of a friction beside these reactions, by column; none where there is none.
+    pub fn limit(&self, column: usize, reactions: &[f64]) -> Option<f64> {
+        let limit = self.limits.iter().find(|limit| limit.column == column)?;
+        let normal =
+            limit.normal.as_ref().map_or(1.0, |(constant, terms)| constant + terms.iter().map(|(k, f)| f * reactions[*k]).sum::<f64>());
+        Some(limit.coefficient * normal.abs())
+    }
+
     /// Whether a friction is at its limit on this side whatever the admissible reactions are: elsewhere another share of the load holds the machine further on.
     pub fn is_at_limit(&self, column: usize, side: f64) -> bool {
         let Some(limit) = self.limits.iter().position(|limit| limit.column == column) else { return true };

@@ -124,8 +124,8 @@ impl System for Wrong {
     fn struck(&mut self, t: f64, x: &[f64], impulses: &[f64], modes: &[Mode]) -> Option<Vec<Touch>> {
         self.machine.struck(t, x, impulses, modes)
     }
-    fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {
-        self.machine.momenta(t, x, change, impulses)
+    fn momenta(&mut self, t: f64, x: &[f64], jump: [&[f64]; 2], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+        self.machine.momenta(t, x, jump, modes)
     }
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
         let drift = self.machine.project(t, x, modes)?;

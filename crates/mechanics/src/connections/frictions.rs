@@ -259,7 +259,7 @@ fn sliding_speed<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind,
         Kind::Known(d) => Kind::Known(d.per_time(1)),
         other => other,
     };
-    Some((reader.builder.graph.symbol_id("u", 0), rate))
+    Some((reader.letter("u"), rate))
 }
 
 fn mentions_u(reader: &Reader, text: &str) -> bool {

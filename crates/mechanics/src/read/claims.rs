@@ -176,7 +176,7 @@ fn frequency_equation<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Optio
 
 /// Gives a name another meaning for one claim.
 fn covered(reader: &mut Reader, (name, dimension): (&str, Kind), before: &mut Vec<(String, Option<Entry>)>) -> SymbolId {
-    let symbol = reader.builder.graph.symbol_id(name, 0);
+    let symbol = reader.letter(name);
     let entry = Entry { kind: EntryKind::Parameter(symbol), dimension, depends: Depends::TIME };
     before.push((name.to_owned(), reader.scope.cover(name, entry)));
     symbol

@@ -127,6 +127,12 @@ impl<'a> Reader<'a> {
         });
         value
     }
+    /// A symbol for a letter that has a meaning of its own in one formula: another one than that of a parameter or coordinate of that name.
+    pub(crate) fn letter(&mut self, name: &str) -> SymbolId {
+        let numbered = (1..).map(|k| format!("{name}_{k}"));
+        let free = std::iter::once(name.to_owned()).chain(numbered).find(|own| self.scope.get(own).is_none());
+        self.builder.graph.symbol_id(free.as_deref().unwrap_or(name), 0)
+    }
     pub(crate) fn take_rests(&mut self) -> Vec<ParameterDecl> {
         std::mem::take(&mut self.rests)
     }

@@ -152,9 +152,14 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
                 let [back, forth] = [kinetic, [kinetic[1], kinetic[0]]].map(|sides| by_sign(self.lowering, ratio, sides));
                 if let (Some(_), Some(unique)) = (&friction.across, normal) {
                     let zero = self.lowering.literal(0.0);
-                    let signed = self.lowering.branch(By::Mode(sliding), [back, zero, forth]);
+                    let rests = match shares {
+                        Some(shares) if leader == reaction => self.taken(friction, shares)?,
+                        _ => zero,
+                    };
+                    let signed = self.lowering.branch(By::Mode(sliding), [back, rests, forth]);
+                    let share = shares.filter(|_| leader == reaction).map(|[share, _]| share);
                     let coefficient = self.lowering.branch(By::Mode(unique), [zero, signed, signed]);
-                    self.journals.push(Journal { row: self.right.len(), law: friction, sliding, unique, coefficient });
+                    self.journals.push(Journal { row: self.right.len(), law: friction, sliding, unique, share, coefficient });
                 }
                 let sides = [self.slip(friction, column, back, normal)?, held, self.slip(friction, column, forth, normal)?];
                 let row = self.alternatives(sliding, sides);
@@ -227,6 +232,14 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         let limit = self.lowering.branch(By::Mode(side), [less, zero, fixed]);
         let taken = self.slip(friction, column, limit, normal)?;
         Ok(self.alternatives(share, [taken.clone(), taken, held]))
+    }
+
+    /// Its coefficient where others imply the condition: side · static coefficient; zero where it holds itself.
+    fn taken(&mut self, friction: &Friction, [share, side]: [u32; 2]) -> Result<Value, Fault> {
+        let fixed = self.lowering.value(friction.fixed)?;
+        let (less, zero) = (self.lowering.sum(&[(-1.0, fixed)]), self.lowering.literal(0.0));
+        let limit = self.lowering.branch(By::Mode(side), [less, zero, fixed]);
+        Ok(self.lowering.branch(By::Mode(share), [limit, limit, zero]))
     }
 
     fn alternatives(&mut self, guard: u32, sides: [Row; 3]) -> Row {

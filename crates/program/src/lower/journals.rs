@@ -62,10 +62,11 @@ impl Connected<'_, '_, '_, '_> {
         Ok(())
     }
 
-    /// Right side of a unit friction; nothing while it sticks.
+    /// Right side of a unit friction; nothing while it sticks by itself.
     fn unit(&mut self, journal: &Journal) -> Vec<Register> {
         let (one, zero) = (self.lowering.literal(1.0), self.lowering.literal(0.0));
-        let entry = self.lowering.branch(By::Mode(journal.sliding), [one, zero, one]);
+        let rests = journal.share.map_or(zero, |share| self.lowering.branch(By::Mode(share), [one, one, zero]));
+        let entry = self.lowering.branch(By::Mode(journal.sliding), [one, rests, one]);
         let entry = self.lowering.whole(entry);
         let zero = self.lowering.whole(zero);
         (0..self.size).map(|i| if i == journal.row { entry } else { zero }).collect()

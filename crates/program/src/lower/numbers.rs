@@ -43,6 +43,8 @@ pub(super) struct Journal<'e> {
     /// Guard of the sliding speed, and that of its own.
     pub sliding: u32,
     pub unique: u32,
-    /// c: negative in the mode `Negative`, zero while it sticks and in the mode `Negative` of `unique`.
+    /// Guard that leaves it to others while it sticks.
+    pub share: Option<u32>,
+    /// c: negative in the mode `Negative`, zero while it sticks and in the mode `Negative` of `unique`; ± its static coefficient where it is left to others at its limit.
     pub coefficient: Value,
 }

@@ -38,6 +38,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return Ok(first);
         }
         let modes = self.modes.clone();
+        match self.share_by_corners(&modes)? {
+            Some(Verdict::Wants(wanted)) if wanted != modes => return Ok(Verdict::Wants(wanted)),
+            Some(Verdict::Holds) => return Ok(Verdict::Holds),
+            _ => {}
+        }
         let list = self.holding();
         // as many as repeat others: leaving out more would loosen what is held
         let count = self.surplus()?.min(list.len());
@@ -57,6 +62,35 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         self.modes = modes;
         Ok(wishes.map_or(Verdict::Repeats, Verdict::Wants))
+    }
+
+    /// Tries the corners of the polyhedron of admissible reactions. Where there are none the machine is not held, and is asked for the modes that it takes; none
+    /// where nothing is known.
+    fn share_by_corners(&mut self, modes: &[Mode]) -> Result<Option<Verdict>, Fault> {
+        let relieved: Vec<usize> = (0..self.fired.len()).filter(|i| self.fired[*i]).collect();
+        let Some(corners) = self.system.shares(self.now.high, &self.base, modes, &relieved) else { return Ok(None) };
+        let limits = corners.list.first().map(|corner| corner.limits.clone());
+        for corner in corners.list {
+            self.modes.copy_from_slice(modes);
+            self.carry_all();
+            corner.idle.iter().for_each(|(guard, mode)| self.modes[*guard] = *mode);
+            if self.attempt()? == Verdict::Holds {
+                return Ok(Some(Verdict::Holds));
+            }
+        }
+        self.modes.copy_from_slice(modes);
+        if !corners.exact {
+            return Ok(None);
+        }
+        // at the limit of all of them the accelerations do not say yet how it moves
+        let likely = match limits {
+            Some(limits) => Some(limits),
+            None => self.system.likely(self.now.high, &self.base, modes),
+        };
+        let Some(likely) = likely else { return Ok(None) };
+        let mut wanted = modes.to_vec();
+        likely.iter().for_each(|(guard, mode)| wanted[*guard] = *mode);
+        Ok(Some(Verdict::Wants(wanted)))
     }
 
     /// Contacts and frictions that repeat others in the present modes.

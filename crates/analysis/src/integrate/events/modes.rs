@@ -76,12 +76,42 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.ties.fill(Tie::default());
         let impacts = self.collide()?;
         self.base.clone_from(&self.x);
-        self.suggest();
-        self.search()?;
+        if !self.shifts_load()? {
+            self.suggest();
+            self.search()?;
+        }
         let rests = self.come_to_rest(&impacts)?;
         self.look_for_rivals()?;
         self.list(&impacts, &rests, Listed::All);
         Ok(())
+    }
+
+    /// Whether the machine goes on in its modes although a limit has been reached: others that hold the same motion take the load.
+    fn shifts_load(&mut self) -> Result<bool, Fault> {
+        // what presses a friction vanishes with the force of its contact
+        let limits = |i: &usize| matches!(self.system.guards()[*i].kind, GuardKind::Bound { .. } | GuardKind::Normal { .. });
+        let only_limits = (0..self.modes.len()).filter(|i| self.touched[*i]).all(|i| limits(&i)) && self.touched.contains(&true);
+        if !only_limits || self.x != self.before || self.modes != self.modes_before || !self.shares_load() {
+            return Ok(false);
+        }
+        self.note_fired();
+        self.leaving.fill(false);
+        let touched = self.touched.clone();
+        self.grounded.fill(false);
+        let modes = self.modes.clone();
+        let held = matches!(self.settle(), Ok(Verdict::Holds));
+        if !held {
+            self.x.clone_from(&self.base);
+            (self.modes, self.touched) = (modes, touched);
+            self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
+        }
+        Ok(held)
+    }
+
+    /// Whether something is left to others in the present modes.
+    fn shares_load(&self) -> bool {
+        let idle = |(guard, mode): (&crate::Guard, &Mode)| matches!(guard.kind, GuardKind::Share { .. }) && *mode == Mode::Zero;
+        self.system.guards().iter().zip(&self.modes).any(idle)
     }
 
     /// The first trial after an event.
