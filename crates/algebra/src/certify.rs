@@ -111,7 +111,7 @@ const ENTRIES: f64 = 64.0 * f64::EPSILON;
 
 /// Limits of the count with the number of found eigenvalues below each: in the first wide gap above the wanted ones, else in the nearest
 /// below, else below all. Above all n eigenvalues nothing can be missing.
-fn limits(values: &[f64], wanted: usize, shift: f64, n: usize) -> Vec<(f64, usize)> {
+pub(super) fn limits(values: &[f64], wanted: usize, shift: f64, n: usize) -> Vec<(f64, usize)> {
     let wide = |j: &usize| values[*j] - values[*j - 1] > GAP * (values[*j] - shift).abs();
     let above = (wanted..values.len()).find(|j| *j > 0 && wide(j));
     let j = above.or_else(|| (1..wanted).rev().find(wide));

@@ -1,9 +1,9 @@
-//! Sums of products in twice the digits.
+//! Numbers of twice the digits: sums of products, and the four operations.
 
 use crate::sum::two_sum;
 
 /// A sum in twice the digits.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Double {
     pub(super) high: f64,
     pub(super) low: f64,
@@ -27,6 +27,11 @@ impl From<f64> for Double {
 }
 
 impl Double {
+    /// The exact sum of two numbers.
+    pub fn of(a: f64, b: f64) -> Double {
+        let (high, low) = two_sum(a, b);
+        Double { high, low }
+    }
     /// self + a b.
     #[inline]
     pub fn add(self, a: f64, b: f64) -> Double {
@@ -45,6 +50,27 @@ impl Double {
     pub fn plus(self, a: Double, b: Double) -> Double {
         self.add(a.high, b.high).add(a.high, b.low).add(a.low, b.high)
     }
+    /// self + other.
+    #[must_use]
+    pub fn sum(self, other: Double) -> Double {
+        let (sum, rest) = two_sum(self.high, other.high);
+        let (lows, last) = two_sum(self.low, other.low);
+        let (high, low) = two_sum(sum, rest + lows);
+        let (high, low) = two_sum(high, low + last);
+        Double { high, low }
+    }
+    /// self - other.
+    #[must_use]
+    pub fn less(self, other: Double) -> Double {
+        self.sum(other.negated())
+    }
+    /// self · other.
+    #[must_use]
+    pub fn times(self, other: Double) -> Double {
+        let (product, error) = two_product(self.high, other.high);
+        let (high, low) = two_sum(product, error + (self.high * other.low + self.low * other.high));
+        Double { high, low }
+    }
     /// -self.
     #[must_use]
     pub fn negated(self) -> Double {
@@ -56,9 +82,28 @@ impl Double {
         let rest = self.add_times(-high, other);
         Double { high, low: (rest.high + rest.low) / other.high }
     }
+    /// √self of a number that is not negative.
+    #[must_use]
+    pub fn root(self) -> Double {
+        let root = self.high.max(0.0).sqrt();
+        if root == 0.0 {
+            return Double::default();
+        }
+        let rest = self.add(-root, root);
+        Double::of(root, (rest.high + rest.low) / (2.0 * root))
+    }
+    /// The nearest number and what is left.
+    pub fn parts(self) -> [f64; 2] {
+        let (high, low) = two_sum(self.high, self.low);
+        [high, low]
+    }
     /// Nearest number.
     pub fn round(self) -> f64 {
         self.high + self.low
+    }
+    /// Whether it is exactly 0.
+    pub fn is_zero(self) -> bool {
+        self.high == 0.0 && self.low == 0.0
     }
 }
 

@@ -76,6 +76,14 @@ impl Plan {
         self.0.len_val()
     }
 
+    /// Rows in the order of elimination.
+    pub fn order(&self) -> Vec<usize> {
+        match self.0.perm() {
+            Some(perm) => perm.arrays().0.to_vec(),
+            None => (0..self.0.nrows()).collect(),
+        }
+    }
+
     /// Factors a matrix with this pattern whose diagonal is near 1. A pivot within `smallest` of zero is replaced by a huge one, as if
     /// its coordinate were held; none when memory ends or a number is not finite.
     pub fn factor(&self, a: Columns, values: &[f64], smallest: f64) -> Option<Factor> {
@@ -115,13 +123,6 @@ impl Factor {
         }
     }
 
-    fn order(&self) -> Vec<usize> {
-        match self.plan.0.perm() {
-            Some(perm) => perm.arrays().0.to_vec(),
-            None => (0..self.plan.0.nrows()).collect(),
-        }
-    }
-
     /// Pivots in the order of elimination.
     pub fn pivots(&self) -> Vec<f64> {
         let Some(factor) = self.nodes() else { return self.lone_pivots() };
@@ -150,7 +151,7 @@ impl Factor {
 
     /// Row of the matrix eliminated k-th.
     pub fn row(&self, k: usize) -> usize {
-        self.order()[k]
+        self.plan.order()[k]
     }
 
     /// The direction in which the matrix vanishes when its k-th pivot does: v with Lᵀ v = e_k.
@@ -175,7 +176,7 @@ impl Factor {
             }
         }
         let mut v = vec![0.0; n];
-        self.order().iter().enumerate().for_each(|(k, &i)| v[i] = x[k]);
+        self.plan.order().iter().enumerate().for_each(|(k, &i)| v[i] = x[k]);
         v
     }
 

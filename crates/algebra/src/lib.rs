@@ -4,7 +4,7 @@
 //! It knows no mechanics and no time, no words for users and no files: what goes wrong is a [`Trouble`], which its callers put into words.
 //!
 //! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits), [`lanes`] (several numbers at once, the only file that knows wide) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
-//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`product`], [`certify`] (eigenproblems) -
+//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`], [`twofold`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`product`], [`certify`], [`polish`] (eigenproblems) -
 //! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`], [`sheet`] (what is dear, and many coefficients, over two parameters) - [`bernstein`], [`gauss`], [`simplex`], [`random`], [`arrange`] (lists).
 
 // the same bits on every machine: see clippy.toml
@@ -30,6 +30,7 @@ pub mod lanes;
 pub mod lu;
 pub mod mathieu;
 mod modes;
+pub mod polish;
 pub mod product;
 pub mod qr;
 pub mod random;
@@ -42,6 +43,7 @@ pub mod sparse;
 pub mod sum;
 pub mod surface;
 pub mod trouble;
+pub mod twofold;
 pub mod vectors;
 
 pub use trouble::Trouble;

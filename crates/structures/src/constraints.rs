@@ -125,12 +125,18 @@ impl<S: Scalar> Elimination<S> {
         }
         out
     }
-    /// A linear functional of all freedoms as one of the independent ones.
+    /// A linear functional of all freedoms as one of the independent ones; what cancels is zero: a point that a rigid rod carries along y alone has no part along x.
     pub fn pull(&self, row: &Row<S>) -> Vec<S> {
         let mut out = vec![S::zero(); self.free.len()];
+        let mut sizes = vec![0.0_f64; self.free.len()];
         for (i, a) in row {
-            self.transform[*i].iter().for_each(|(j, c)| out[*j] = out[*j].add(&c.mul(a)));
+            for (j, c) in &self.transform[*i] {
+                let term = c.mul(a);
+                sizes[*j] += term.size();
+                out[*j] = out[*j].add(&term);
+            }
         }
+        out.iter_mut().zip(sizes).filter(|(v, size)| v.vanishes(*size)).for_each(|(v, _)| *v = S::zero());
         out
     }
     /// The forces of the constraints from the forces that all constraints together give, r = Cᵀ λ; none where statics does not say.

@@ -9,7 +9,7 @@ pub fn solve<S: Scalar>(a: &[S], n: usize, b: &[S], columns: usize) -> Option<Ve
     for k in 0..n {
         let size = |a: &[S], i: usize| a[i * n + k].size() / scale[i].max(f64::MIN_POSITIVE);
         let p = (k..n).max_by(|i, j| size(&a, *i).total_cmp(&size(&a, *j)))?;
-        if a[p * n + k].vanishes(scale[p]) || a[p * n + k].is_zero() {
+        if a[p * n + k].gives_way(scale[p]) || a[p * n + k].is_zero() {
             return None;
         }
         if p != k {
@@ -83,7 +83,7 @@ pub fn null_space<S: Scalar>(a: &[S], n: usize) -> Vec<Vec<S>> {
     loop {
         let relative = |i: usize| if original[i] > 0.0 { a[i * n + i].size() / original[i] } else { 0.0 };
         let Some(&k) = left.iter().max_by(|i, j| relative(**i).total_cmp(&relative(**j))) else { break };
-        if a[k * n + k].vanishes(original[k]) {
+        if a[k * n + k].gives_way(original[k]) {
             break;
         }
         left.retain(|i| *i != k);

@@ -57,6 +57,13 @@ pub fn standing<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<S
 
 /// The first motion that the sparse factors find free.
 fn free_motion<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Option<Vec<f64>>, Fault> {
+    let fine = frame.doubled();
+    if let Some(factor) = crate::lowest::twofold(&Assembly::of(&fine).stiffness(&fine)).factor() {
+        let expand = |motion: &[f64]| {
+            assembly.elimination.transform.iter().map(|row| row.iter().map(|(j, c)| c.value() * motion[*j]).sum()).collect()
+        };
+        return Ok(factor.defect().map(|pivot| expand(&pivot.motion)));
+    }
     let stiffness = assembly.stiffness(frame);
     let entries = stiffness.entries.iter().map(|(i, j, v)| (*i, *j, v.value())).collect();
     let matrix = crate::lowest::compressed(&Sparse { n: stiffness.n, entries })?;
@@ -184,6 +191,10 @@ pub fn stands_undivided(frame: &Frame<f64>, exact: Option<&Frame<symbolic::Ratio
             let exact = exact.divided(1);
             stands(&exact, &Assembly::of(&exact))
         }
-        None => stands(&simple, &assembly),
+        None => {
+            // springs far softer than the rods hold a frame too
+            let fine = simple.doubled();
+            stands(&fine, &Assembly::of(&fine))
+        }
     }
 }

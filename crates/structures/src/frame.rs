@@ -1,6 +1,7 @@
 //! A frame or truss in numbers: nodes, rods, supports, named displacements, loads.
 
 use crate::Scalar;
+use algebra::double::Double;
 use words::Text;
 
 /// A frame or truss, SI.
@@ -210,6 +211,11 @@ impl<S: Scalar> Frame<S> {
             displacements: self.displacements.iter().map(displacement).collect::<Option<_>>()?,
             loads: self.loads.iter().map(load).collect::<Option<_>>()?,
         })
+    }
+
+    /// The same frame in twice the digits of machine numbers.
+    pub fn doubled(&self) -> Frame<Double> {
+        self.map(&|v| Some(Double::from(v.value()))).unwrap_or_default()
     }
 
     /// The same frame with every elastic rod in so many parts.

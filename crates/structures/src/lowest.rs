@@ -4,6 +4,9 @@ use crate::Fault;
 use crate::assembly::Sparse;
 use crate::matrices::told;
 use algebra::certify::{Certificate, certify};
+use algebra::double::Double;
+use algebra::polish::Firm;
+use algebra::twofold::Twofold;
 use algebra::{eigen, sparse};
 
 /// The same matrix by columns.
@@ -15,35 +18,56 @@ pub fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
     sparse::Sparse::from_triplets(&triplets).map_err(told)
 }
 
+/// The same matrix by columns in twice the digits.
+pub fn twofold(matrix: &Sparse<Double>) -> Twofold {
+    Twofold::new(matrix.n, matrix.entries.iter().copied())
+}
+
 /// Modes beyond the wanted ones, so that Sturm's count finds a gap above the last wanted one.
-const BEYOND: usize = 2;
+const BEYOND: usize = 4;
 
 /// The lowest modes of small matrices, M may be singular, with their certificate.
 ///
-/// *Errors*: matrices without modes, or a search that does not settle.
-pub fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
-    let (k, m) = (sparse::Sparse::from_dense(n, stiffness).map_err(told)?, sparse::Sparse::from_dense(n, mass).map_err(told)?);
-    let modes = match eigen::symmetric(n, stiffness, mass) {
+/// *Errors*: a stiffness that is not positive definite, matrices without modes, or a search that does not settle.
+pub fn lowest_dense(stiffness: &[Double], mass: &[Double], n: usize, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
+    let rounded = |a: &[Double]| a.iter().map(|v| v.round()).collect::<Vec<f64>>();
+    let (k, m) = (Twofold::from_dense(n, stiffness), Twofold::from_dense(n, mass));
+    let modes = match eigen::symmetric(n, &rounded(stiffness), &rounded(mass)) {
         Ok(modes) => modes,
-        Err(_) => eigen::lowest(&k, &m, n, eigen::Options::default()).map_err(told)?.modes,
+        Err(_) => approximate(&k, &m, n)?,
     };
-    checked(&k, &m, modes, count)
+    checked(k, &m, modes, count)
 }
 
 /// The lowest modes of sparse matrices with their certificate.
 ///
-/// *Errors*: matrices without modes, or a search that does not settle.
-pub fn lowest_sparse(k: &Sparse<f64>, m: &Sparse<f64>, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
-    let (k, m) = (compressed(k)?, compressed(m)?);
-    let modes = eigen::lowest(&k, &m, count + BEYOND, eigen::Options::default()).map_err(told)?.modes;
-    checked(&k, &m, modes, count)
+/// *Errors*: a stiffness that is not positive definite, matrices without modes, or a search that does not settle.
+pub fn lowest_sparse(k: &Sparse<Double>, m: &Sparse<Double>, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
+    let (k, m) = (twofold(k), twofold(m));
+    let modes = approximate(&k, &m, count + BEYOND)?;
+    checked(k, &m, modes, count)
 }
 
-/// Checks the lowest `count` modes and leaves the others out.
-fn checked(k: &sparse::Sparse, m: &sparse::Sparse, mut modes: eigen::Modes, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
+fn approximate(k: &Twofold, m: &Twofold, count: usize) -> Result<eigen::Modes, Fault> {
+    let (k, m) = (k.rounded().map_err(told)?, m.rounded().map_err(told)?);
+    Ok(eigen::lowest(&k, &m, count, eigen::Options::default()).map_err(told)?.modes)
+}
+
+/// Polishes and checks the lowest `count` modes and leaves the others out. Where K is too large to be factored in twice the digits, what its rounding does to
+/// the values is part of their bounds.
+fn checked(k: Twofold, m: &Twofold, mut modes: eigen::Modes, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
     let count = count.min(modes.values.len());
-    let certificate = certify(k, m, &modes, count).map_err(told)?;
+    let rounded = k.rounded().map_err(told)?;
+    let quotients: Vec<f64> = (0..count).map(|j| k.quotient(m, modes.shape(j))).collect();
+    if let Some(firm) = Firm::of(k).map_err(told)? {
+        return firm.polished(m, &modes, count).map_err(told);
+    }
+    let mut certificate = certify(&rounded, &m.rounded().map_err(told)?, &modes, count).map_err(told)?;
     modes.values.truncate(count);
     modes.vectors.truncate(count * modes.n);
+    for (j, quotient) in quotients.into_iter().enumerate() {
+        certificate.residuals[j] = certificate.residuals[j].max((modes.values[j] / quotient - 1.0).abs());
+        modes.values[j] = quotient;
+    }
     Ok((modes, certificate))
 }

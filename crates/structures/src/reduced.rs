@@ -54,6 +54,23 @@ impl<S: Scalar> Reduced<S> {
     }
 }
 
+impl<S: Scalar> Reduced<S> {
+    /// The same in the nearest machine numbers.
+    pub fn rounded(&self) -> Reduced<f64> {
+        let values = |list: &[S]| list.iter().map(S::value).collect();
+        Reduced {
+            coordinates: self.coordinates.clone(),
+            named: self.named,
+            condensed: self.condensed,
+            mass: values(&self.mass),
+            stiffness: values(&self.stiffness),
+            flexibility: values(&self.flexibility),
+            basis: values(&self.basis),
+            n_q: self.n_q,
+        }
+    }
+}
+
 /// The quantity of a named displacement.
 pub fn quantity<S>(d: &Displacement<S>) -> Quantity {
     let unit = if matches!(d.component, Component::Turn) { "rad" } else { "m" };

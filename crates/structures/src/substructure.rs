@@ -12,15 +12,16 @@
 use crate::Fault;
 use crate::equilibrium::SEARCHED;
 use crate::loads::loading;
-use crate::lowest::{compressed, lowest_dense, lowest_sparse};
+use crate::lowest::{lowest_dense, lowest_sparse, twofold};
 use crate::reduced::{Condensation, Reduced, displacements, reduce};
 use crate::{Assembly, Frame, Load, dense, faults};
 use algebra::arrange::Arrange;
 use algebra::certify::Certificate;
-use algebra::eigen::Modes;
+use algebra::double::Double;
 use algebra::factor::Factored;
-use algebra::sparse::Sparse;
-use algebra::vectors::dot;
+use algebra::polish::Firm;
+use algebra::twofold::Twofold;
+use algebra::vectors;
 
 /// A frame over few coordinates: the named displacements that are independent, then amplitudes.
 #[derive(Clone, Debug)]
@@ -31,8 +32,8 @@ pub struct Substructure {
     pub amplitudes: usize,
     /// M, row by row.
     pub mass: Vec<f64>,
-    /// K, row by row.
-    pub stiffness: Vec<f64>,
+    /// K, row by row, in twice the digits: the springs that hold a stiff frame lie below the last digit of its rods.
+    pub stiffness: Vec<Double>,
     /// All independent freedoms over the coordinates, n_q x n.
     pub basis: Vec<f64>,
     /// Number of independent freedoms.
@@ -47,6 +48,11 @@ pub struct Substructure {
 }
 
 impl Substructure {
+    /// K in single numbers.
+    pub fn rounded(&self) -> Vec<f64> {
+        rounded(&self.stiffness)
+    }
+
     /// Gives the amplitudes the order and the signs of those of `other` (the same frame with other numbers): each takes the shape that is most like its own.
     /// Shapes over another division are left as they are; nothing but the names of amplitudes depends on it.
     pub fn align(&mut self, other: &Substructure) {
@@ -57,12 +63,13 @@ impl Substructure {
         let n = m + k;
         let column = |of: &Substructure, j: usize| -> Vec<f64> { (0..of.n_q).map(|i| of.basis[i * n + m + j]).collect() };
         let unit = |v: Vec<f64>| -> Vec<f64> {
-            let size = dot(&v, &v).sqrt();
+            let size = vectors::dot(&v, &v).sqrt();
             v.iter().map(|x| if size > 0.0 { x / size } else { 0.0 }).collect()
         };
         let shapes = |of: &Substructure| (0..k).map(|j| unit(column(of, j))).collect::<Vec<_>>();
         let (old, new) = (shapes(other), shapes(self));
-        let mut pairs: Vec<(f64, usize, usize)> = (0..k * k).map(|p| (p / k, p % k)).map(|(i, j)| (dot(&old[i], &new[j]), i, j)).collect();
+        let mut pairs: Vec<(f64, usize, usize)> =
+            (0..k * k).map(|p| (p / k, p % k)).map(|(i, j)| (vectors::dot(&old[i], &new[j]), i, j)).collect();
         pairs.arrange_by(|a, b| b.0.abs().total_cmp(&a.0.abs()).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut from: Vec<Option<(usize, f64)>> = vec![None; k];
         let mut taken = vec![false; k];
@@ -73,11 +80,10 @@ impl Substructure {
             }
         }
         let source: Vec<(usize, f64)> = (0..m).map(|i| (i, 1.0)).chain(from.iter().flatten().map(|(j, sign)| (m + j, *sign))).collect();
-        let square = |a: &[f64]| -> Vec<f64> {
-            let entry = |i: usize, j: usize| source[i].1 * source[j].1 * a[source[i].0 * n + source[j].0];
-            (0..n * n).map(|e| entry(e / n, e % n)).collect()
-        };
-        (self.mass, self.stiffness) = (square(&self.mass), square(&self.stiffness));
+        let place = |e: usize| source[e / n].0 * n + source[e % n].0;
+        let sign = |e: usize| source[e / n].1 * source[e % n].1;
+        self.mass = (0..n * n).map(|e| sign(e) * self.mass[place(e)]).collect();
+        self.stiffness = (0..n * n).map(|e| Double::from(sign(e)).times(self.stiffness[place(e)])).collect();
         self.basis = (0..self.n_q * n).map(|e| source[e % n].1 * self.basis[(e / n) * n + source[e % n].0]).collect();
     }
 }
@@ -86,13 +92,13 @@ impl Substructure {
 struct Space {
     /// Number of shapes.
     n: usize,
-    mass: Vec<f64>,
-    stiffness: Vec<f64>,
-    flexibility: Vec<f64>,
+    mass: Vec<Double>,
+    stiffness: Vec<Double>,
+    flexibility: Vec<Double>,
     /// All independent freedoms over the shapes, n_q x n.
-    basis: Vec<f64>,
+    basis: Vec<Double>,
     /// Named displacements over the shapes, one row each.
-    named: Vec<Vec<f64>>,
+    named: Vec<Vec<Double>>,
     /// Whether it is more than the condensed freedoms, or less.
     lost: bool,
     /// The highest oscillation in it, rad/s, when higher ones are left out.
@@ -121,175 +127,212 @@ pub struct Wish {
 ///
 /// *Errors*: nothing to move, S063, S064, faults of the eigensolver.
 pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, wish: &Wish) -> Result<Substructure, Fault> {
-    let whole = Whole::of(frame, assembly, wish)?;
+    let whole = Whole::of(frame, wish)?;
     let space = match assembly.n() > SEARCHED && wish.condensation != Condensation::Turns {
-        true => whole.sparse(assembly, wish.count)?,
-        false => whole.dense(assembly, wish)?,
+        true => whole.sparse(wish.count)?,
+        false => whole.dense(wish)?,
     };
-    let lags = whole.lags(&space)?;
+    let lags = whole.lags(&space);
     coordinates(space, assembly.n(), lags)
+}
+
+/// K⁻¹ in twice the digits, or where that is too dear as well as single numbers can.
+enum Inverse {
+    Fine(Firm),
+    Plain(Factored),
+}
+
+impl Inverse {
+    fn of(frame: &Frame<f64>, stiffness: &Twofold) -> Result<Inverse, Fault> {
+        match Firm::of(stiffness.clone()) {
+            Ok(Some(firm)) => Ok(Inverse::Fine(firm)),
+            Ok(None) => {
+                let rounded = stiffness.rounded().map_err(crate::matrices::told)?;
+                Ok(Inverse::Plain(rounded.factor().map_err(|_| faults::extreme(frame))?))
+            }
+            Err(_) => Err(faults::extreme(frame)),
+        }
+    }
+
+    fn solve(&self, b: &[Double]) -> Vec<Double> {
+        match self {
+            Inverse::Fine(firm) => firm.solve(b),
+            Inverse::Plain(factor) => {
+                let mut x: Vec<f64> = b.iter().map(|v| v.round()).collect();
+                factor.solve(&mut x, 1);
+                x.into_iter().map(Double::from).collect()
+            }
+        }
+    }
 }
 
 /// All independent freedoms.
 struct Whole<'a> {
     frame: &'a Frame<f64>,
-    stiffness: Sparse,
-    mass: Sparse,
+    fine: Frame<Double>,
+    assembly: Assembly<Double>,
+    stiffness: Twofold,
+    mass: Twofold,
+    inverse: Inverse,
     /// Named displacements over the freedoms.
-    named: Vec<Vec<f64>>,
+    named: Vec<Vec<Double>>,
     /// Loads on the freedoms, whose static shapes are wanted.
-    loads: Vec<Vec<f64>>,
+    loads: Vec<Vec<Double>>,
     /// All loads.
-    acting: Vec<Vec<f64>>,
+    acting: Vec<Vec<Double>>,
 }
 
 impl Whole<'_> {
-    fn of<'a>(frame: &'a Frame<f64>, assembly: &Assembly<f64>, wish: &Wish) -> Result<Whole<'a>, Fault> {
-        let (stiffness, mass) = (compressed(&assembly.stiffness(frame))?, compressed(&assembly.mass(frame))?);
-        let force = |load: &Load<f64>| assembly.elimination.gather(&loading(assembly, frame, std::slice::from_ref(load)).forces);
-        let [loads, acting] = [&wish.loads, &wish.acting].map(|list| list.iter().map(force).collect());
-        Ok(Whole { frame, stiffness, mass, named: displacements(frame, assembly), loads, acting })
+    fn of<'a>(frame: &'a Frame<f64>, wish: &Wish) -> Result<Whole<'a>, Fault> {
+        let lists = Frame { loads: [&wish.loads[..], &wish.acting].concat(), ..frame.clone() };
+        let mut fine = lists.doubled();
+        let loads = std::mem::take(&mut fine.loads);
+        let assembly = Assembly::of(&fine);
+        let (stiffness, mass) = (twofold(&assembly.stiffness(&fine)), twofold(&assembly.mass(&fine)));
+        let force = |load: &Load<Double>| assembly.elimination.gather(&loading(&assembly, &fine, std::slice::from_ref(load)).forces);
+        let mut loads: Vec<Vec<Double>> = loads.iter().map(force).collect();
+        let acting = loads.split_off(wish.loads.len());
+        let (inverse, named) = (Inverse::of(frame, &stiffness)?, displacements(&fine, &assembly));
+        Ok(Whole { frame, fine, assembly, stiffness, mass, inverse, named, loads, acting })
     }
 
     /// pᵀ (K⁻¹ - Φ (Φᵀ K Φ)⁻¹ Φᵀ) f for named displacements p and loads f, Φ the shapes of the space, row by row; what is rounding is zero. In a space of few shapes
     /// those of the named displacements are there, and nothing is left.
-    fn lags(&self, space: &Space) -> Result<Vec<f64>, Fault> {
+    fn lags(&self, space: &Space) -> Vec<f64> {
         let (n, n_q) = (space.n, self.stiffness.size());
         if self.acting.is_empty() || self.named.is_empty() || space.kept.is_some() {
-            return Ok(vec![0.0; self.named.len() * self.acting.len()]);
+            return vec![0.0; self.named.len() * self.acting.len()];
         }
-        let factor = self.stiffness.factor().map_err(|_| faults::extreme(self.frame))?;
-        let solved = |v: &Vec<f64>| {
-            let mut x = v.clone();
-            factor.solve(&mut x, 1);
-            x
-        };
         let across = dense::transpose(&space.basis, n_q, n);
-        let left = |f: &Vec<f64>| -> (Vec<f64>, f64) {
-            let mut x = solved(f);
-            let own = dot(f, &x);
+        let left = |f: &Vec<Double>| -> (Vec<Double>, f64) {
+            let x = self.inverse.solve(f);
+            let own = dot(f, &x).round();
             let in_space = dense::product(&space.flexibility, &dense::product(&across, f, n, n_q, 1), n, n, 1);
             let followed = dense::product(&space.basis, &in_space, n_q, n, 1);
-            x.iter_mut().zip(followed).for_each(|(x, y)| *x -= y);
-            (x, own)
+            (x.iter().zip(followed).map(|(x, y)| x.less(y)).collect(), own)
         };
-        let moved: Vec<(Vec<f64>, f64)> = self.acting.iter().map(left).collect();
+        let moved: Vec<(Vec<Double>, f64)> = self.acting.iter().map(left).collect();
         let mut lags = Vec::new();
         for row in &self.named {
-            let own = dot(row, &solved(row));
-            let of = |(x, load): &(Vec<f64>, f64)| {
-                let lag = dot(row, x);
+            let own = dot(row, &self.inverse.solve(row)).round();
+            let of = |(x, load): &(Vec<Double>, f64)| {
+                let lag = dot(row, x).round();
                 if lag.abs() > AT_ONCE * (own * load).sqrt() { lag } else { 0.0 }
             };
             lags.extend(moved.iter().map(of));
         }
-        Ok(lags)
+        lags
     }
 
     /// All of a small frame, condensed; or the few shapes that matter.
-    fn dense(&self, assembly: &Assembly<f64>, wish: &Wish) -> Result<Space, Fault> {
-        if self.mass.diagonal().iter().all(|m| *m == 0.0) {
-            return self.complete(None);
+    fn dense(&self, wish: &Wish) -> Result<Space, Fault> {
+        if self.mass.diagonal().iter().all(|m| m.is_zero()) {
+            return Ok(self.complete(None));
         }
-        let mut bare = self.frame.clone();
+        let mut bare = self.fine.clone();
         bare.displacements.clear();
-        let reduced = reduce(&bare, assembly, wish.condensation)?;
+        let reduced = reduce(&bare, &self.assembly, wish.condensation)?;
         let (n, n_q) = (reduced.n(), reduced.n_q);
         if self.named.len() + wish.count >= n {
-            return self.complete(Some(reduced));
+            return Ok(self.complete(Some(reduced)));
         }
         let (modes, certificate) = lowest_dense(&reduced.stiffness, &reduced.mass, n, wish.count)?;
         confirmed(&certificate)?;
-        let shapes: Vec<f64> = (0..modes.values.len()).flat_map(|j| dense::product(&reduced.basis, modes.shape(j), n_q, n, 1)).collect();
-        self.few(&Modes { n: n_q, values: modes.values, vectors: shapes })
+        let shape = |j: usize| dense::product(&reduced.basis, &doubled(modes.shape(j)), n_q, n, 1);
+        Ok(self.few(&modes.values, (0..modes.values.len()).map(shape).collect()))
     }
 
-    fn sparse(&self, assembly: &Assembly<f64>, count: usize) -> Result<Space, Fault> {
-        if self.mass.diagonal().iter().all(|m| *m == 0.0) {
-            return self.few(&Modes { n: assembly.n(), ..Modes::default() });
+    fn sparse(&self, count: usize) -> Result<Space, Fault> {
+        if self.mass.diagonal().iter().all(|m| m.is_zero()) {
+            return Ok(self.few(&[], Vec::new()));
         }
-        let (modes, certificate) = lowest_sparse(&assembly.stiffness(self.frame), &assembly.mass(self.frame), count)?;
+        let (stiffness, mass) = (self.assembly.stiffness(&self.fine), self.assembly.mass(&self.fine));
+        let (modes, certificate) = lowest_sparse(&stiffness, &mass, count)?;
         confirmed(&certificate)?;
-        self.few(&modes)
+        Ok(self.few(&modes.values, (0..modes.values.len()).map(|j| doubled(modes.shape(j))).collect()))
     }
 
     /// The condensed freedoms, and what their condensation took from the displacements that something outside acts on.
-    fn complete(&self, reduced: Option<Reduced<f64>>) -> Result<Space, Fault> {
+    fn complete(&self, reduced: Option<Reduced<Double>>) -> Space {
         let n_q = self.stiffness.size();
-        let empty = || Reduced { n_q, ..Reduced::default() };
-        let reduced = reduced.unwrap_or_else(empty);
-        let (kept, factor) = (reduced.n(), self.stiffness.factor().map_err(|_| faults::extreme(self.frame))?);
-        let mut shapes: Vec<Vec<f64>> = (0..kept).map(|j| (0..n_q).map(|i| reduced.basis[i * kept + j]).collect()).collect();
+        let reduced = reduced.unwrap_or_else(|| Reduced { n_q, ..Reduced::default() });
+        let kept = reduced.n();
+        let mut shapes: Vec<Vec<Double>> = (0..kept).map(|j| (0..n_q).map(|i| reduced.basis[i * kept + j]).collect()).collect();
         let loaded = self.named.iter().zip(&self.frame.displacements).filter(|(_, d)| d.loaded);
         for (row, _) in loaded {
-            shapes.extend(self.beyond(row, &factor, &shapes, &reduced));
+            shapes.extend(self.beyond(row, &shapes, &reduced));
         }
         let n = shapes.len();
-        let extended = |matrix: &[f64], new: f64| -> Vec<f64> {
-            let entry = |i: usize, j: usize| match (i < kept && j < kept, i == j) {
-                (true, _) => matrix[i * kept + j],
-                (false, same) => {
-                    if same {
-                        new
-                    } else {
-                        0.0
-                    }
-                }
-            };
-            (0..n * n).map(|e| entry(e / n, e % n)).collect()
+        let extended = |matrix: &[Double]| -> Vec<Double> {
+            let mut out: Vec<Double> = dense::identity(n);
+            (0..kept * kept).for_each(|e| out[(e / kept) * n + e % kept] = matrix[e]);
+            out
         };
-        let (stiffness, flexibility) = (extended(&reduced.stiffness, 1.0), extended(&reduced.flexibility, 1.0));
+        let (stiffness, flexibility) = (extended(&reduced.stiffness), extended(&reduced.flexibility));
         let mut space = self.space(&shapes);
         for (i, j) in (0..kept).flat_map(|i| (0..kept).map(move |j| (i, j))) {
             space.mass[i * n + j] = reduced.mass[i * kept + j];
         }
-        Ok(Space { stiffness, flexibility, lost: n > kept, ..space })
+        Space { stiffness, flexibility, lost: n > kept, ..space }
     }
 
     /// The space of some oscillations and of the static shapes of unit forces along the named displacements and of the loads, with K = 1.
-    fn few(&self, modes: &Modes) -> Result<Space, Fault> {
-        let k = &self.stiffness;
-        let factor = k.factor().map_err(|_| faults::extreme(self.frame))?;
-        let mut shapes: Vec<Vec<f64>> = Vec::new();
-        for (j, value) in modes.values.iter().enumerate() {
-            shapes.push(modes.shape(j).iter().map(|x| x / value.sqrt()).collect());
+    fn few(&self, values: &[f64], modes: Vec<Vec<Double>>) -> Space {
+        let mut shapes: Vec<Vec<Double>> = Vec::new();
+        for (value, shape) in values.iter().zip(modes) {
+            let size = Double::from(*value).root();
+            shapes.push(shape.iter().map(|x| x.over(size)).collect());
         }
         for row in self.named.iter().chain(&self.loads) {
-            shapes.extend(self.beyond(row, &factor, &shapes, &Reduced::default()));
+            shapes.extend(self.beyond(row, &shapes, &Reduced::default()));
         }
-        let kept = modes.values.iter().copied().reduce(f64::max).map(f64::sqrt);
-        Ok(Space { lost: true, kept, ..self.space(&shapes) })
+        let kept = values.iter().copied().reduce(f64::max).map(f64::sqrt);
+        Space { lost: true, kept, ..self.space(&shapes) }
     }
 
     /// What the static shape of a unit force along `row` adds to shapes, xᵀ K x = 1; nothing where it only repeats them. The first shapes are the columns of
     /// condensed freedoms, the others orthonormal in K and to them.
-    fn beyond(&self, row: &[f64], factor: &Factored, shapes: &[Vec<f64>], condensed: &Reduced<f64>) -> Option<Vec<f64>> {
+    fn beyond(&self, row: &[Double], shapes: &[Vec<Double>], condensed: &Reduced<Double>) -> Option<Vec<Double>> {
         let (k, kept) = (&self.stiffness, condensed.n());
-        let mut shape = row.to_vec();
-        factor.solve(&mut shape, 1);
-        let own = dot(row, &shape);
+        let mut shape = self.inverse.solve(row);
+        let own = dot(row, &shape).round();
         for _ in 0..2 {
             let force = k.product(&shape);
-            let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
+            let shares: Vec<Double> = shapes.iter().map(|s| dot(s, &force)).collect();
             let mut weights = dense::product(&condensed.flexibility, &shares[..kept], kept, kept, 1);
             weights.extend(&shares[kept..]);
             for (other, weight) in shapes.iter().zip(weights) {
-                shape.iter_mut().zip(other).for_each(|(x, o)| *x -= weight * o);
+                let minus = weight.negated();
+                shape.iter_mut().zip(other).for_each(|(x, o)| *x = x.plus(minus, *o));
             }
         }
         let left = dot(&shape, &k.product(&shape));
-        (left > NEW * own && shapes.len() < k.size()).then(|| shape.iter().map(|x| x / left.sqrt()).collect())
+        let size = left.root();
+        (left.round() > NEW * own && shapes.len() < k.size()).then(|| shape.iter().map(|x| x.over(size)).collect())
     }
 
     /// The space of shapes that are orthonormal in K.
-    fn space(&self, shapes: &[Vec<f64>]) -> Space {
+    fn space(&self, shapes: &[Vec<Double>]) -> Space {
         let (n, n_q) = (shapes.len(), self.stiffness.size());
-        let heavy: Vec<Vec<f64>> = shapes.iter().map(|s| self.mass.product(s)).collect();
-        let mass = (0..n * n).map(|e| 0.5 * (dot(&shapes[e / n], &heavy[e % n]) + dot(&shapes[e % n], &heavy[e / n]))).collect();
+        let heavy: Vec<Vec<Double>> = shapes.iter().map(|s| self.mass.product(s)).collect();
+        let half = Double::from(0.5);
+        let mass = (0..n * n).map(|e| half.times(dot(&shapes[e / n], &heavy[e % n]).sum(dot(&shapes[e % n], &heavy[e / n])))).collect();
         let basis = (0..n_q * n).map(|e| shapes[e % n][e / n]).collect();
         let named = self.named.iter().map(|row| shapes.iter().map(|s| dot(row, s)).collect()).collect();
         Space { n, mass, stiffness: dense::identity(n), flexibility: dense::identity(n), basis, named, lost: false, kept: None }
     }
+}
+
+fn doubled(vector: &[f64]) -> Vec<Double> {
+    vector.iter().map(|v| Double::from(*v)).collect()
+}
+
+fn rounded(vector: &[Double]) -> Vec<f64> {
+    vector.iter().map(|v| v.round()).collect()
+}
+
+fn dot(a: &[Double], b: &[Double]) -> Double {
+    a.iter().zip(b).fold(Double::default(), |sum, (x, y)| sum.plus(*x, *y))
 }
 
 fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
@@ -298,6 +341,9 @@ fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
 
 /// Smallest share of its energy that a static shape adds to what is there.
 const NEW: f64 = 1e-10;
+
+/// Share of its flexibility that makes a functional independent of others: 1e-5 of the functional, squared.
+const INDEPENDENT: f64 = 1e-10;
 
 /// Share of what a load could move of a displacement, by Schwarz's inequality, below which a lag is rounding of solutions that carry thirteen digits.
 const AT_ONCE: f64 = 1e-10;
@@ -308,9 +354,9 @@ fn coordinates(space: Space, n_q: usize, lags: Vec<f64>) -> Result<Substructure,
     let width = lags.len() / rows.len().max(1);
     let follows = |i: usize| lags[i * width..(i + 1) * width].iter().any(|lag| *lag != 0.0);
     let open: Vec<usize> = (0..rows.len()).filter(|i| !follows(*i)).collect();
-    let candidates: Vec<Vec<f64>> = open.iter().map(|i| rows[*i].clone()).collect();
+    let candidates: Vec<Vec<Double>> = open.iter().map(|i| rows[*i].clone()).collect();
     let named: Vec<usize> = independent(&candidates, &space.flexibility, n).into_iter().map(|k| open[k]).collect();
-    let p: Vec<f64> = named.iter().flat_map(|i| rows[*i].clone()).collect();
+    let p: Vec<Double> = named.iter().flat_map(|i| rows[*i].clone()).collect();
     let m = named.len();
     let dpt = dense::product(&space.flexibility, &dense::transpose(&p, m, n), n, n, m);
     let small = dense::product(&p, &dpt, m, n, m);
@@ -319,7 +365,7 @@ fn coordinates(space: Space, n_q: usize, lags: Vec<f64>) -> Result<Substructure,
     let free = resting(&p, &space, m)?;
     let amplitudes = free.len();
     let width = m + amplitudes;
-    let mut local = vec![0.0; n * width];
+    let mut local = vec![Double::default(); n * width];
     for i in 0..n {
         (0..m).for_each(|j| local[i * width + j] = fixed[i * m + j]);
         free.iter().enumerate().for_each(|(j, shape)| local[i * width + m + j] = shape[i]);
@@ -328,14 +374,14 @@ fn coordinates(space: Space, n_q: usize, lags: Vec<f64>) -> Result<Substructure,
     // exactly uncoupled; what rounding leaves would look like a spring
     for i in 0..m {
         for j in m..width {
-            stiffness[i * width + j] = 0.0;
-            stiffness[j * width + i] = 0.0;
+            stiffness[i * width + j] = Double::default();
+            stiffness[j * width + i] = Double::default();
         }
     }
     for i in m..width {
-        (m..width).filter(|j| *j != i).for_each(|j| stiffness[i * width + j] = 0.0);
+        (m..width).filter(|j| *j != i).for_each(|j| stiffness[i * width + j] = Double::default());
     }
-    let mut mass = dense::congruence(&space.mass, &local, n, width);
+    let mut mass = rounded(&dense::congruence(&space.mass, &local, n, width));
     for i in m..width {
         (m..width).for_each(|j| mass[i * width + j] = f64::from(u8::from(i == j)));
     }
@@ -344,7 +390,7 @@ fn coordinates(space: Space, n_q: usize, lags: Vec<f64>) -> Result<Substructure,
         amplitudes,
         mass,
         stiffness,
-        basis: dense::product(&space.basis, &local, n_q, n, width),
+        basis: rounded(&dense::product(&space.basis, &local, n_q, n, width)),
         n_q,
         condensed: !space.lost,
         kept: space.kept,
@@ -353,49 +399,49 @@ fn coordinates(space: Space, n_q: usize, lags: Vec<f64>) -> Result<Substructure,
 }
 
 /// The functionals that are independent of those before them, in the metric of the flexibility.
-fn independent(rows: &[Vec<f64>], flexibility: &[f64], n: usize) -> Vec<usize> {
-    let mut kept: Vec<(usize, Vec<f64>)> = Vec::new();
+fn independent(rows: &[Vec<Double>], flexibility: &[Double], n: usize) -> Vec<usize> {
+    let mut kept: Vec<(usize, Vec<Double>)> = Vec::new();
     for (i, row) in rows.iter().enumerate() {
-        let own = energy(row, row, flexibility, n);
+        let own = energy(row, row, flexibility, n).round();
         let mut rest = row.clone();
         for _ in 0..2 {
             for (_, other) in &kept {
-                let share = energy(&rest, other, flexibility, n);
-                rest.iter_mut().zip(other).for_each(|(r, o)| *r -= share * o);
+                let minus = energy(&rest, other, flexibility, n).negated();
+                rest.iter_mut().zip(other).for_each(|(r, o)| *r = r.plus(minus, *o));
             }
         }
         let left = energy(&rest, &rest, flexibility, n);
         // energies: 1e-5 of the functional itself is new, the rest of a dependent one is rounding of its square
-        if own > 0.0 && left > 1e-10 * own && kept.len() < n {
-            rest.iter_mut().for_each(|r| *r /= left.sqrt());
+        if own > 0.0 && left.round() > INDEPENDENT * own && kept.len() < n {
+            let size = left.root();
+            rest.iter_mut().for_each(|r| *r = r.over(size));
             kept.push((i, rest));
         }
     }
     kept.into_iter().map(|k| k.0).collect()
 }
 
-fn energy(a: &[f64], b: &[f64], flexibility: &[f64], n: usize) -> f64 {
-    let d = dense::product(flexibility, b, n, n, 1);
-    a.iter().zip(&d).map(|(x, y)| x * y).sum()
+fn energy(a: &[Double], b: &[Double], flexibility: &[Double], n: usize) -> Double {
+    dot(a, &dense::product(flexibility, b, n, n, 1))
 }
 
 /// The oscillations in which the named displacements rest, xᵀ M x = 1.
-fn resting(p: &[f64], space: &Space, m: usize) -> Result<Vec<Vec<f64>>, Fault> {
+fn resting(p: &[Double], space: &Space, m: usize) -> Result<Vec<Vec<Double>>, Fault> {
     let n = space.n;
     if m >= n {
         return Ok(Vec::new());
     }
     // columns that solve P x = 0: the pivots of P follow the others
-    let rows: Vec<crate::constraints::Row<f64>> =
-        (0..m).map(|i| (0..n).filter(|j| p[i * n + j] != 0.0).map(|j| (j, p[i * n + j])).collect()).collect();
+    let rows: Vec<crate::constraints::Row<Double>> =
+        (0..m).map(|i| (0..n).filter(|j| !p[i * n + j].is_zero()).map(|j| (j, p[i * n + j])).collect()).collect();
     let elimination = crate::constraints::eliminate(n, &rows, &|i| i);
     let k = elimination.free.len();
-    let mut basis = vec![0.0; n * k];
+    let mut basis = vec![Double::default(); n * k];
     for (i, row) in elimination.transform.iter().enumerate() {
         row.iter().for_each(|(j, c)| basis[i * k + j] = *c);
     }
     let (stiffness, mass) = (dense::congruence(&space.stiffness, &basis, n, k), dense::congruence(&space.mass, &basis, n, k));
     let (found, certificate) = lowest_dense(&stiffness, &mass, k, k)?;
     confirmed(&certificate)?;
-    Ok((0..found.values.len()).map(|j| dense::product(&basis, found.shape(j), n, k, 1)).collect())
+    Ok((0..found.values.len()).map(|j| dense::product(&basis, &doubled(found.shape(j)), n, k, 1)).collect())
 }

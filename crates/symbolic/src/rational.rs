@@ -4,6 +4,7 @@
 //! live there; a result that overflows moves to arbitrary precision and comes back when it fits again. Every value has one
 //! representation, hence equality and hashing are structural.
 
+use algebra::double::Double;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -106,6 +107,13 @@ impl Rational {
             Small(n, d) if n.unsigned_abs() <= EXACT && d.unsigned_abs() <= EXACT => *n as f64 / *d as f64,
             _ => self.to_big().to_f64().unwrap_or(f64::NAN),
         }
+    }
+
+    /// The nearest number of twice the digits.
+    pub fn to_double(&self) -> Double {
+        let high = self.to_f64();
+        let rest = Rational::from_f64(high).map_or(0.0, |near| (self - &near).to_f64());
+        Double::of(high, rest)
     }
 
     /// Whether the value is 0.

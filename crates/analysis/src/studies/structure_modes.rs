@@ -9,7 +9,7 @@ use algebra::eigen;
 use crate::audits::certified;
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::{Fault, Quantity};
-use structures::equilibrium::{EXACT, SEARCHED, describe, standing, stands_undivided};
+use structures::equilibrium::{EXACT, SEARCHED, standing, stands_undivided};
 use structures::lowest::{lowest_dense, lowest_sparse};
 use structures::reduced::{Condensation, Reduced, quantity, reduce};
 use structures::{Assembly, Frame, RodKind, continuum, dense, faults};
@@ -190,9 +190,12 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     if assembly.n() > SEARCHED && options.condensation != Condensation::Turns {
         return large(frame, assembly, options);
     }
-    let reduced = reduce(frame, &assembly, options.condensation)?;
-    let n = reduced.n();
-    let (found, certificate) = lowest_dense(&reduced.stiffness, &reduced.mass, n, options.count)?;
+    // soft springs lie below the last digit of stiff rods
+    let fine = frame.doubled();
+    let double = reduce(&fine, &Assembly::of(&fine), options.condensation)?;
+    let n = double.n();
+    let (found, certificate) = lowest_dense(&double.stiffness, &double.mass, n, options.count)?;
+    let reduced = double.rounded();
     let expand = |x: &[f64]| assembly.elimination.expand(&dense::product(&reduced.basis, x, reduced.n_q, n, 1));
     let shown = Shown::of(frame, &assembly, reduced.named.then_some(&reduced));
     let modes = shown.modes(&found, &certificate, &expand, options.normalise);
@@ -227,17 +230,14 @@ fn frequency_equation(reduced: &Reduced<Rational>, n: usize) -> Vec<Rational> {
 }
 
 fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result<StructureModes, Fault> {
-    let (k, m) = (assembly.stiffness(frame), assembly.mass(frame));
+    let m = assembly.mass(frame);
     if m.entries.iter().all(|e| e.2 == 0.0) {
         return Err(faults::massless().into());
     }
-    let (found, certificate) = lowest_sparse(&k, &m, options.count)?;
+    let fine = frame.doubled();
+    let double = Assembly::of(&fine);
+    let (found, certificate) = lowest_sparse(&double.stiffness(&fine), &double.mass(&fine), options.count)?;
     let n = assembly.n();
-    if found.values.first().is_some_and(|v| free(*v, &found.values)) {
-        let motion = assembly.elimination.expand(found.shape(0));
-        let (node, words) = describe(frame, &assembly, &motion);
-        return Err(faults::mechanism(&node, &words, 1).into());
-    }
     let shown = Shown::of(frame, &assembly, None);
     let expand = |x: &[f64]| assembly.elimination.expand(x);
     let modes = shown.modes(&found, &certificate, &expand, options.normalise);
@@ -265,12 +265,6 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
         frame: frame.clone(),
         assembly,
     })
-}
-
-fn free(value: f64, all: &[f64]) -> bool {
-    let largest = all.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    // a zero of the spectrum is rounding of its largest value
-    value <= 1e-12 * largest || value == 0.0
 }
 
 /// Largest x_iᵀ M x_j of different modes with x_iᵀ M x_i = 1.
@@ -380,11 +374,15 @@ fn refined(frame: &Frame<f64>, options: &Modes, wanted: f64) -> Result<Structure
 /// Parts of a rod at most.
 const FINEST: usize = 256;
 
-/// The error that is left after a change by halving the parts, of which the halving before made `before`: it falls to a sixteenth where rods bend, to a
-/// fourth where they stretch, and to what was seen.
+/// The error that is left after a change by halving the parts, of which the halving before made `before`. What is left is a + b, the part of rods that stretch,
+/// which falls to a fourth, and that of rods that bend, which falls to a sixteenth: the changes are 3 a + 15 b and before 12 a + 240 b.
 fn left(change: f64, before: Option<f64>) -> f64 {
-    let falls = before.map_or(4.0, |b| (b / change).clamp(4.0, 16.0));
-    if change == 0.0 { 0.0 } else { change / (falls - 1.0) }
+    let stretched = change / 3.0;
+    let Some(before) = before.filter(|b| *b > 4.0 * change) else { return stretched };
+    if before >= 16.0 * change {
+        return change / 15.0;
+    }
+    (16.0 * change - before) / 36.0 + (before - 4.0 * change) / 180.0
 }
 
 fn dataset(modes: &[Mode], coordinates: &[Quantity], orthogonality: f64, n: usize) -> Dataset {

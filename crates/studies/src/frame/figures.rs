@@ -2,6 +2,7 @@
 
 use super::bind::Bound;
 use super::groups::{groups, on_groups};
+use algebra::double::Double;
 use mechanics::Model;
 use mechanics::structure as file;
 use structures::equilibrium::EXACT;
@@ -94,20 +95,28 @@ fn entries(bound: &Bound, found: &Substructure, condensation: Condensation) -> (
         .as_ref()
         .filter(|e| found.condensed && found.n_q <= EXACT && found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
     let exact = exact.and_then(|e| reduce(e, &Assembly::of(e), condensation).ok()).filter(|r| r.named);
-    let group = groups([&found.mass, &found.stiffness], n);
+    let rounded = found.rounded();
+    // the springs of a stiff frame lie below the last digit of its rods: the number itself, of twice the digits
+    let fine = |v: &Double| -> Option<Rational> {
+        let [high, low] = v.parts();
+        Some(&Rational::from_f64(high)? + &Rational::from_f64(low)?)
+    };
+    let double: Option<Vec<Rational>> = found.stiffness.iter().map(fine).collect();
+    let group = groups([&found.mass, &rounded], n);
+    let exacts = exact.is_some();
     let list = |values: &[f64], exact: Option<&[Rational]>| -> Vec<Entry> {
         let largest: Vec<f64> = (0..n).map(|i| values[i * n + i].abs()).collect();
         let pairs = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
         let entry = |(i, j): (usize, usize)| (i, j, values[i * n + j], exact.map(|e| e[i * n + j].clone()));
         let matters = |e: &Entry| match &e.3 {
-            Some(exact) => !exact.is_zero(),
-            None => group[e.0] == group[e.1] && e.2.abs() > ROUNDING * (largest[e.0] * largest[e.1]).sqrt(),
+            Some(exact) if exacts => !exact.is_zero(),
+            _ => group[e.0] == group[e.1] && e.2.abs() > ROUNDING * (largest[e.0] * largest[e.1]).sqrt(),
         };
         let zero = |(i, j, _, exact): Entry| (i, j, 0.0, exact.map(|_| Rational::ZERO));
         pairs.map(entry).map(|e| if matters(&e) { e } else { zero(e) }).collect()
     };
     let (mass, stiffness) = (exact.as_ref().map(|e| &e.mass[..]), exact.as_ref().map(|e| &e.stiffness[..]));
-    (list(&found.mass, mass), list(&found.stiffness, stiffness))
+    (list(&found.mass, mass), list(&rounded, stiffness.or(double.as_deref())))
 }
 
 /// Each component of a load as its formula and the unit load in its place.
@@ -134,7 +143,8 @@ fn shares(frame: &Frame<f64>, assembly: &Assembly<f64>, found: &Substructure, un
         return (0..n).map(|j| simple(factor, 1.0).filter(|_| j == k)).collect();
     }
     let mut q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
-    on_groups(&mut q, &groups([&found.mass, &found.stiffness], n), &found.stiffness);
+    let stiffness = found.rounded();
+    on_groups(&mut q, &groups([&found.mass, &stiffness], n), &stiffness);
     let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     q.iter().map(|v| if v.abs() <= ROUNDING * largest { None } else { simple(*v, largest) }).collect()
 }

@@ -220,10 +220,14 @@ fn parameter(model: &mut Model, (letter, entry): (&str, &Entry), first: usize) -
     declare(model, (name, unit), (*value, exact.as_ref()), label)
 }
 
+/// Longest fraction that is shown as one.
+const LONGEST: usize = 40;
+
 /// A constant that the file does not have, exact if possible.
 fn declare(model: &mut Model, (name, unit): (String, &str), (value, exact): (f64, Option<&Rational>), label: Text) -> (SymbolId, Expr) {
     let number = exact.cloned().or_else(|| Rational::from_f64(value)).unwrap_or(Rational::ZERO);
-    let written = exact.map_or_else(String::new, ToString::to_string);
+    // a fraction of the file's own numbers is short; one of powers of two is what the frame was computed to, and nobody's writing
+    let written = exact.map(ToString::to_string).filter(|text| text.len() <= LONGEST).unwrap_or_default();
     let si = model.graph.number(number);
     let symbol = model.graph.symbol_id(&name, 0);
     model.parameters.push(ParameterDecl {
