@@ -89,8 +89,14 @@ fn pencil(n: usize, k: &[f64], m: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Troubl
 
 /// Takes the lower eigenpairs from M x = theta K x, theta = 1/lambda, whose values err by 1e-16 of 1/(smallest eigenvalue): where the
 /// spectrum is wider than the digits of a number, each problem knows only its own end. The ends are joined in the widest gap near the
-/// geometric mean of the spectrum. Nothing changes when K is not positive definite.
+/// geometric mean of the spectrum. Nothing changes when K is not positive definite. Coordinates without stiffness that nothing couples to the others are free
+/// motions of their own: what is left without them may be positive definite.
 fn from_below(n: usize, k: &[f64], m: &[f64], values: &mut [f64], vectors: &mut [f64]) {
+    let held: Vec<usize> = (0..n).filter(|i| (0..n).any(|j| k[i * n + j] != 0.0)).collect();
+    let loose: Vec<usize> = (0..n).filter(|i| !held.contains(i)).collect();
+    if !loose.is_empty() && held.iter().all(|i| loose.iter().all(|j| m[i * n + j] == 0.0)) {
+        return beside(n, (k, m), [&loose, &held], values, vectors);
+    }
     let scales: Vec<f64> = (0..n).map(|i| scale(k[i * n + i])).collect();
     let scaled = |a: &[f64]| -> Vec<f64> { (0..n * n).map(|e| scales[e / n] * a[e] * scales[e % n]).collect() };
     let Ok((thetas, inverse)) = pencil(n, &scaled(m), &scaled(k)) else { return };
@@ -110,6 +116,27 @@ fn from_below(n: usize, k: &[f64], m: &[f64], values: &mut [f64], vectors: &mut 
         let factor = thetas[n - 1 - i].sqrt().recip();
         values[i] = lambda(i);
         vectors[i * n..(i + 1) * n].iter_mut().zip(own.iter().zip(&scales)).for_each(|(v, (x, s))| *v = factor * s * x);
+    }
+}
+
+/// Eigenpairs of the free coordinates, all zero, then those of the held ones.
+fn beside(n: usize, (k, m): (&[f64], &[f64]), [loose, held]: [&[usize]; 2], values: &mut [f64], vectors: &mut [f64]) {
+    let part = |a: &[f64], list: &[usize]| -> Vec<f64> { list.iter().flat_map(|i| list.iter().map(move |j| a[i * n + j])).collect() };
+    let mut place = 0;
+    for list in [loose, held] {
+        let size = list.len();
+        let (stiff, heavy) = (part(k, list), part(m, list));
+        let Ok((mut own, mut shapes)) = pencil(size, &stiff, &heavy) else { return };
+        if size > 0 && own[0] < own[size - 1] / SPREAD {
+            from_below(size, &stiff, &heavy, &mut own, &mut shapes);
+        }
+        for j in 0..size {
+            values[place] = own[j];
+            let vector = &mut vectors[place * n..(place + 1) * n];
+            vector.fill(0.0);
+            list.iter().enumerate().for_each(|(a, i)| vector[*i] = shapes[j * size + a]);
+            place += 1;
+        }
     }
 }
 

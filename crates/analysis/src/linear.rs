@@ -4,6 +4,7 @@
 //! one by one, so that a study may follow a frequency, a speed or a stiffness. Derivatives are exact: nothing is differenced.
 
 mod following;
+mod graded;
 mod machine;
 mod matrices;
 mod observer;
@@ -11,6 +12,7 @@ mod reactions;
 mod seen;
 mod sought;
 
+pub use graded::Graded;
 pub use machine::{LinearMachine, Place, Values, driven};
 pub use matrices::{Harmonic, Matrices, largest, parts};
 pub use observer::Observer;

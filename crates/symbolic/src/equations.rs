@@ -193,6 +193,8 @@ pub struct Parameter {
     pub symbol: SymbolId,
     /// The number, SI.
     pub value: f64,
+    /// What the exact number has beyond `value`.
+    pub rest: f64,
     /// As the user wrote it (`20 g`).
     pub written: String,
     /// SI unit.

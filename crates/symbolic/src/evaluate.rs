@@ -1,6 +1,7 @@
 //! Evaluation in machine numbers: the plain definition of what an expression means, the oracle for every faster way.
 
 use crate::{Edge, Expr, Function, Graph, Node, SymbolId};
+use algebra::double::Double;
 use algebra::elementary;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
@@ -16,6 +17,31 @@ impl Graph {
             known.insert(e, v);
         }
         roots.iter().map(|r| known[r]).collect()
+    }
+
+    /// The values of `roots` in twice the digits; none where they need more than the four operations, or a symbol without such a value.
+    pub fn evaluate_double(&self, roots: &[Expr], value: &dyn Fn(SymbolId) -> Option<Double>) -> Option<Vec<Double>> {
+        let order = self.reachable(roots);
+        let mut known: FxHashMap<Expr, Double> = FxHashMap::with_capacity_and_hasher(order.len(), FxBuildHasher);
+        for e in order {
+            let v = match self.node(e) {
+                Node::Number(r) => r.to_double(),
+                Node::Symbol(s) => value(*s)?,
+                Node::Sum { constant, terms } => {
+                    terms.iter().fold(constant.to_double(), |sum, (t, f)| sum.sum(f.to_double().times(known[t])))
+                }
+                Node::Product { coefficient, factors } => {
+                    let mut product = coefficient.to_double();
+                    for (base, exponent) in factors {
+                        product = product.times(whole_power(known[base], exponent)?);
+                    }
+                    product
+                }
+                _ => return None,
+            };
+            known.insert(e, v);
+        }
+        Some(roots.iter().map(|r| known[r]).collect())
     }
 
     /// The value of one node when those of its operands are known.
@@ -42,6 +68,16 @@ impl Graph {
             }
         }
     }
+}
+
+/// Largest exponent that is a repeated product.
+const REPEATED: u64 = 16;
+
+/// x^exponent for a small whole exponent.
+fn whole_power(x: Double, exponent: &crate::Rational) -> Option<Double> {
+    let n = exponent.to_i64().filter(|n| n.unsigned_abs() <= REPEATED)?;
+    let power = (0..n.unsigned_abs()).fold(Double::from(1.0), |p, _| p.times(x));
+    Some(if n < 0 { Double::from(1.0).over(power) } else { power })
 }
 
 /// x^exponent for an exact exponent.

@@ -9,6 +9,7 @@ use symbolic::linear::{About, Loads, Timing};
 use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
 use words::Text;
 
+use super::graded::hides;
 use super::matrices::{Harmonic, Matrices, settle};
 use super::sought::Seeking;
 use crate::naming::notation;
@@ -17,6 +18,7 @@ use crate::rest::search::{Statics, rest_near};
 use crate::rest::system::ROUNDED;
 use crate::waveform::Shape;
 use crate::{Fault, Quantity};
+use algebra::double::Double;
 use algebra::lu::Lu;
 use algebra::qr;
 
@@ -320,6 +322,7 @@ impl LinearMachine {
             mass: mass.to_vec(),
             damping: damping.to_vec(),
             stiffness: stiffness.to_vec(),
+            below: if hides(stiffness, n) { self.below(stiffness).unwrap_or_default() } else { Vec::new() },
             force: force.to_vec(),
         };
         let mut full = Full { matrices, remainders: remainders.to_vec(), reach: reach.to_vec() };
@@ -328,6 +331,27 @@ impl LinearMachine {
         }
         (full.matrices.drift, full.matrices.on_rates) = (Vec::new(), Vec::new());
         Ok(full)
+    }
+
+    /// What C has below its last digits; none where its entries are more than numbers under the four operations.
+    fn below(&self, stiffness: &[f64]) -> Option<Vec<f64>> {
+        let linear = &self.linear;
+        let number = |symbol: SymbolId| {
+            let i = self.inputs.parameters.iter().position(|p| *p == symbol)?;
+            let own = &self.equations.parameters[i];
+            let rest = if own.value.to_bits() == self.values[i].to_bits() { own.rest } else { 0.0 };
+            Some(Double::of(self.values[i], rest))
+        };
+        let mut known: Vec<(SymbolId, Double)> = Vec::new();
+        for (symbol, formula) in &linear.definitions {
+            let value = |s: SymbolId| number(s).or_else(|| known.iter().find(|k| k.0 == s).map(|k| k.1));
+            if let Some(found) = linear.graph.evaluate_double(&[*formula], &value) {
+                known.push((*symbol, found[0]));
+            }
+        }
+        let value = |s: SymbolId| number(s).or_else(|| known.iter().find(|k| k.0 == s).map(|k| k.1));
+        let fine = linear.graph.evaluate_double(linear.stiffness.entries(), &value)?;
+        Some(fine.iter().zip(stiffness).map(|(fine, single)| fine.less(Double::from(*single)).round()).collect())
     }
 
     /// Whether the conditions on rates restrain places like the others.

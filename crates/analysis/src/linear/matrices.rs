@@ -1,5 +1,6 @@
 //! The matrices of small motions.
 
+use algebra::double::Double;
 use algebra::qr;
 
 /// The matrices of small motions, row-major n x n, SI.
@@ -13,6 +14,8 @@ pub struct Matrices {
     pub damping: Vec<f64>,
     /// C; its antisymmetric part is circulatory.
     pub stiffness: Vec<f64>,
+    /// What C has below its last digits, row by row as C; empty where that is not known, for formulas of places and of more than the four operations.
+    pub below: Vec<f64>,
     /// Mean force at the state: zero at an equilibrium.
     pub force: Vec<f64>,
     /// Harmonic loads.
@@ -41,6 +44,9 @@ pub struct Harmonic {
 
 /// Sums of two products of n terms that cancel to this share of their terms are rounding.
 const CANCELLED: f64 = 256.0 * f64::EPSILON;
+
+/// The same in twice the digits, and the squares of roundings of a basis.
+const FINE: f64 = 1e-28;
 
 /// Rounding of stiffnesses is small beside the largest of them; a bound beyond this share of it says nothing.
 const ROUNDING: f64 = 1e-12;
@@ -75,12 +81,17 @@ impl Matrices {
             let (sums, terms) = (square(a), absolute(a, z, k));
             sums.iter().zip(terms).map(|(v, t)| if v.abs() <= CANCELLED * t { 0.0 } else { *v }).collect()
         };
+        let (stiffness, below) = match self.below.is_empty() {
+            true => (settled(&self.stiffness), Vec::new()),
+            false => self.fine_reduced(z, k),
+        };
         let vector = |v: &[f64]| -> Vec<f64> { (0..k).map(|c| (0..n).map(|i| z[i * k + c] * v[i]).sum()).collect() };
         Matrices {
             n: k,
             mass: square(&self.mass),
             damping: settled(&self.damping),
-            stiffness: settled(&self.stiffness),
+            stiffness,
+            below,
             force: vector(&self.force),
             loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
             shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
@@ -88,6 +99,25 @@ impl Matrices {
             drift: Vec::new(),
             on_rates: Vec::new(),
         }
+    }
+
+    /// Zᵀ C Z and what it has below its last digits; sums of which only rounding is left are zero.
+    fn fine_reduced(&self, z: &[f64], k: usize) -> (Vec<f64>, Vec<f64>) {
+        let n = self.n;
+        let cz: Vec<Double> = (0..n * k)
+            .map(|p| {
+                (0..n).fold(Double::default(), |sum, j| {
+                    let (entry, z) = ((p / k) * n + j, z[j * k + p % k]);
+                    sum.add(self.stiffness[entry], z).add(self.below[entry], z)
+                })
+            })
+            .collect();
+        let sums = (0..k * k).map(|p| (0..n).fold(Double::default(), |sum, i| sum.add_times(z[i * k + p / k], cz[i * k + p % k])));
+        let terms = absolute(&self.stiffness, z, k);
+        sums.zip(terms)
+            .map(|(v, t)| if v.round().abs() <= FINE * t { Double::default() } else { v }.parts())
+            .map(|[high, low]| (high, low))
+            .unzip()
     }
 
     /// A basis of the motions that the conditions allow, row-major n x k, with k; none without conditions.

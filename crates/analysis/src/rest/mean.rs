@@ -61,5 +61,5 @@ impl Resting {
 
 fn mean(symbol: SymbolId, value: f64) -> Parameter {
     let label = Text::new("mean of a load over its period", "среднее нагрузки за период");
-    Parameter { symbol, value, written: format!("{value}"), unit: "1".into(), label }
+    Parameter { symbol, value, rest: 0.0, written: format!("{value}"), unit: "1".into(), label }
 }

@@ -1,6 +1,7 @@
 //! Amplitudes of forced motions, finite ones and those with poles, and how quantities follow them.
 
 use crate::studies::shapes::Complex;
+use algebra::double::Double;
 use algebra::elementary;
 use algebra::lu::Lu;
 
@@ -13,6 +14,9 @@ pub struct Amplitudes {
     pub poles: Vec<Vec<Complex>>,
     /// Free motions that stand apart, direction and amplitude: they may be many orders larger than the rest, and what they do not move must not see them.
     pub free: Vec<(Vec<f64>, Complex)>,
+    /// Motions of a stiffness of their own, direction and amplitude, where weak springs stand beside hard ones: in twice the digits, because a hard spring is bent by
+    /// less than a rounding of what the weak one lets go.
+    pub fine: Vec<(Vec<Double>, Complex)>,
     /// Share of X₀ that plain elimination gets wrong, which refinement has put right: what a rounding of the matrix may change. NaN where refinement fails.
     pub doubt: f64,
 }
@@ -53,6 +57,21 @@ impl Gain<'_> {
     }
 }
 
+/// A sum in twice the digits below this share of its terms is rounding.
+const FINE: f64 = 1e-28;
+
+impl Gain<'_> {
+    /// How far a unit of a motion moves it, in twice the digits.
+    fn along_fine(&self, z: &[Double]) -> Complex {
+        let one = |g: &[f64]| {
+            let sum = g.iter().zip(z).fold(Double::default(), |s, (g, z)| s.add_times(*g, *z)).round();
+            let terms = g.iter().zip(z).fold(0.0, |m, (g, z)| m + (g * z.round()).abs());
+            if sum.abs() <= FINE * terms { 0.0 } else { sum }
+        };
+        (one(self.place) - self.omega * self.omega * one(self.acceleration), self.omega * one(self.rate))
+    }
+}
+
 /// Pivots of the scaled matrix below this share are zero: a few roundings of its terms.
 pub(super) const SINGULAR: f64 = 2e-14;
 
@@ -78,6 +97,7 @@ impl Amplitudes {
             regular: map(&self.regular),
             poles: self.poles.iter().map(|p| map(p)).collect(),
             free: self.free.iter().map(|(z, a)| (real(z), *a)).collect(),
+            fine: Vec::new(),
             doubt: self.doubt,
         }
     }
@@ -117,6 +137,12 @@ impl Amplitudes {
             let (moved, reach) = gain.along(z);
             sum = (sum.0 + moved.0 * a.0 - moved.1 * a.1, sum.1 + moved.0 * a.1 + moved.1 * a.0);
             terms += reach * size(*a);
+        }
+        for (z, a) in &self.fine {
+            let moved = gain.along_fine(z);
+            let more = (moved.0 * a.0 - moved.1 * a.1, moved.0 * a.1 + moved.1 * a.0);
+            sum = (sum.0 + more.0, sum.1 + more.1);
+            terms += size(more);
         }
         // beside an infinite part the finite one stands by itself
         let alone = infinite.contains(&true);

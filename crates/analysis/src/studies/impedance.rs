@@ -8,10 +8,11 @@
 //! Solutions are refined with residuals in twice the digits: where a damper or a spring is 10¹³ times as strong as the others plain elimination leaves few digits.
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, ch. 12.
 
-use crate::linear::Matrices;
+use crate::linear::{Graded, Matrices};
 use crate::studies::amplitudes::{Amplitudes, SINGULAR, cleared, size, turned};
 use crate::studies::free_motion;
 use crate::studies::shapes::Complex;
+use algebra::double::Double;
 use algebra::elementary;
 use algebra::lu::Lu;
 use algebra::qr::Qr;
@@ -42,7 +43,15 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
             let entry = |i: usize| y.iter().enumerate().fold((0.0, 0.0), |s, (c, v)| (s.0 + z[i * k + c] * v.0, s.1 + z[i * k + c] * v.1));
             (0..m.n).map(entry).map(|v| if size(v) <= rounding { (0.0, 0.0) } else { v }).collect()
         };
-        return y.mapped(back);
+        let onto_all = |column: &Vec<Double>| -> Vec<Double> {
+            (0..m.n).map(|i| column.iter().enumerate().fold(Double::default(), |s, (c, v)| s.add_times(z[i * k + c], *v))).collect()
+        };
+        let fine = y.fine.iter().map(|(column, a)| (onto_all(column), *a)).collect();
+        return Amplitudes { fine, ..y.mapped(back) };
+    }
+    if let Some(graded) = m.graded() {
+        let basis = graded.rounded();
+        return apart(&graded, &basis, solve(&graded.matrices, omega, &onto(&basis, load)));
     }
     if let Some(found) = (omega > 0.0).then(|| free_motion::apart(m, omega, load)).flatten() {
         return found;
@@ -57,6 +66,34 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     // free by rounding alone
     let doubt = if omega == 0.0 && free_motion::is_barely_held(m) { f64::NAN } else { found.doubt };
     Amplitudes { doubt, ..found }
+}
+
+/// Zᵀ F.
+fn onto(basis: &[f64], load: &[Complex]) -> Vec<Complex> {
+    let n = load.len();
+    (0..n)
+        .map(|k| load.iter().enumerate().fold((0.0, 0.0), |s, (i, f)| (s.0 + basis[i * n + k] * f.0, s.1 + basis[i * n + k] * f.1)))
+        .collect()
+}
+
+/// X = Z Y with each motion of its own stiffness apart, so that what stretches a hard spring does not see what a weak one lets go.
+fn apart(graded: &Graded, basis: &[f64], found: Amplitudes) -> Amplitudes {
+    let n = graded.matrices.n;
+    let back = |y: &[Complex]| -> Vec<Complex> {
+        (0..n)
+            .map(|i| y.iter().enumerate().fold((0.0, 0.0), |s, (k, y)| (s.0 + basis[i * n + k] * y.0, s.1 + basis[i * n + k] * y.1)))
+            .collect()
+    };
+    if !found.poles.is_empty() {
+        return found.mapped(back);
+    }
+    let Amplitudes { mut regular, free, doubt, .. } = found;
+    for (z, a) in free {
+        regular.iter_mut().zip(z).for_each(|(y, z)| *y = (y.0 + z * a.0, y.1 + z * a.1));
+    }
+    let column = |k: usize| -> Vec<Double> { (0..n).map(|i| graded.basis[i * n + k]).collect() };
+    let fine = regular.iter().enumerate().map(|(k, y)| (column(k), *y)).collect();
+    Amplitudes { regular: vec![(0.0, 0.0); n], fine, doubt, ..Amplitudes::default() }
 }
 
 /// The matrices as real ones of twice the size, [Re -Im; Im Re], in coordinates scaled to like stiffness.

@@ -64,15 +64,28 @@ fn allowed(system: &Matrices, names: &[Quantity], normalisation: Normalisation) 
     if !system.drift.is_empty() {
         return crate::studies::rolling::modes(system, names, normalisation);
     }
-    let Some((z, k)) = system.allowed() else { return free(system, names, normalisation) };
-    let mut found = free(&system.reduced(&z, k), names, Normalisation::Mass)?;
+    let Some((z, k)) = system.allowed() else { return sound(system, names, normalisation) };
+    let found = sound(&system.reduced(&z, k), names, Normalisation::Mass)?;
+    Ok(carried(found, (&z, k), system, normalisation))
+}
+
+/// In coordinates in which weak springs do not vanish beside hard ones.
+fn sound(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
+    check_mass(&system.mass, system.n, names)?;
+    let Some(graded) = system.graded() else { return free(system, names, normalisation) };
+    let found = free(&graded.matrices, names, Normalisation::Mass)?;
+    Ok(carried(found, (&graded.rounded(), system.n), system, normalisation))
+}
+
+/// Shapes x = Z y for all coordinates.
+fn carried(mut found: Modes, (z, k): (&[f64], usize), system: &Matrices, normalisation: Normalisation) -> Modes {
     for (i, mode) in found.modes.iter_mut().enumerate() {
         let own = std::mem::take(&mut mode.shape);
         let entry = |i: usize, part: fn(&Complex) -> f64| own.iter().enumerate().map(|(c, y)| z[i * k + c] * part(y)).sum();
         mode.shape = (0..system.n).map(|i| (entry(i, |y| y.0), entry(i, |y| y.1))).collect();
         found.notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
     }
-    Ok(found)
+    found
 }
 
 /// The same without conditions.

@@ -550,7 +550,7 @@ impl<'m> Forced<'m> {
             return Err(hangs_on_rounding(omega));
         }
         let doubt = still.doubt;
-        for z in moving.regular.iter().chain(moving.free.iter().map(|f| &f.1)) {
+        for z in moving.regular.iter().chain(moving.free.iter().map(|f| &f.1)).chain(moving.fine.iter().map(|f| &f.1)) {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         let seen = self.machine.observe(&self.observer, &self.place)?;

@@ -15,13 +15,14 @@ use algebra::elementary;
 use std::f64::consts::{PI, TAU};
 
 use crate::Fault;
-use crate::linear::{Matrices, Place, Seen};
+use crate::linear::{Graded, Matrices, Place, Seen};
 use crate::studies::amplitudes::Amplitudes;
 use crate::studies::free_motion::settled;
 use crate::studies::impedance::solve;
 use crate::studies::modes::Complex;
 use crate::studies::response::{Excitation, Forced, Source, gain, magnitude};
 use crate::waveform::{NODES, Panels, RULE, series};
+use algebra::double::Double;
 use algebra::lu::Lu;
 
 /// The motion of one output over a period, its static part included.
@@ -106,6 +107,8 @@ struct Run<'f, 'm> {
     /// In the motions that the connections allow: q = Z y.
     m: Matrices,
     z: Option<(Vec<f64>, usize)>,
+    /// The same in twice the digits, where weak springs stand beside hard ones.
+    exact: Option<Vec<Double>>,
     full: usize,
     excitation: Excitation,
     /// Common frequency, rad/s.
@@ -169,6 +172,23 @@ impl Motion {
     }
 }
 
+/// A basis, row-major, with its number of columns.
+type Columns = Option<(Vec<f64>, usize)>;
+
+/// Coordinates in which weak springs do not vanish beside hard ones, as columns over all coordinates.
+fn graded(z: Columns, m: Matrices, full: usize) -> (Columns, Option<Vec<Double>>, Matrices) {
+    let Some(Graded { basis, matrices }) = m.graded() else { return (z, None, m) };
+    let k = m.n;
+    let exact: Vec<Double> = match &z {
+        None => basis,
+        Some((z, _)) => {
+            let entry = |i: usize, c: usize| (0..k).fold(Double::default(), |s, j| s.add_times(z[i * k + j], basis[j * k + c]));
+            (0..full * k).map(|p| entry(p / k, p % k)).collect()
+        }
+    };
+    (Some((exact.iter().map(|v| v.round()).collect(), k)), Some(exact), matrices)
+}
+
 impl<'f, 'm> Run<'f, 'm> {
     fn new(
         forced: &'f Forced<'m>,
@@ -180,6 +200,7 @@ impl<'f, 'm> Run<'f, 'm> {
         let full = matrices.n;
         let z = matrices.allowed();
         let m = z.as_ref().map_or_else(|| matrices.clone(), |(z, k)| matrices.reduced(z, *k));
+        let (z, exact, m) = graded(z, m, full);
         let top = multiples.iter().copied().max().unwrap_or(1);
         let k = if forced.endless() {
             let (least, most) = if care == Care::Number { (256, 4096) } else { (64, 256) };
@@ -201,7 +222,7 @@ impl<'f, 'm> Run<'f, 'm> {
         // one turn of the highest order to a panel, whose polynomial then has all digits; the last harmonics of a waveform are small
         let turns = if forced.endless() { 0.5 } else { 1.0 };
         let panels = Panels::new(edges, TAU / (turns * k as f64).max(8.0) / fine);
-        Ok(Run { forced, m, z, full, excitation, rate, multiples, panels, k, care })
+        Ok(Run { forced, m, z, exact, full, excitation, rate, multiples, panels, k, care })
     }
 
     fn superposed(&self, omega: f64) -> Result<Superposed, Fault> {
@@ -399,6 +420,10 @@ impl<'f, 'm> Run<'f, 'm> {
         }
         let reduce = |g: &[f64]| -> Vec<f64> {
             let Some((z, k)) = &self.z else { return g.to_vec() };
+            if let Some(z) = &self.exact {
+                let one = |c: usize| (0..self.full).fold(Double::default(), |s, i| s.add_times(g[i], z[i * k + c])).round();
+                return (0..*k).map(one).collect();
+            }
             (0..*k).map(|c| (0..self.full).map(|i| g[i] * z[i * k + c]).sum()).collect()
         };
         let mut values = vec![0.0; self.panels.count() * NODES];

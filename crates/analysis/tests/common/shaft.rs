@@ -39,7 +39,7 @@ pub fn shaft(m: f64) -> Machine {
         .iter()
         .map(|&(name, value)| {
             let symbol = e.graph.symbol_id(name, 0);
-            e.parameters.push(Parameter { symbol, value, written: String::new(), unit: String::new(), label: Text::default() });
+            e.parameters.push(Parameter { symbol, value, rest: 0.0, written: String::new(), unit: String::new(), label: Text::default() });
             e.graph.symbol(symbol)
         })
         .collect();

@@ -18,7 +18,7 @@ mod steps;
 pub use explain::EXPLANATIONS;
 
 use crate::connections::watched;
-use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, Part};
+use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, ParameterDecl, Part};
 use crate::scene::kinematics::Kinematics;
 use crate::scene::requests::{EnergyTerms, Resolver};
 use crate::scene::{Scene, Turn};
@@ -28,7 +28,7 @@ use lagrange::{EnergyOf, Quadratic};
 use loads::Loads;
 use motion::Motion;
 use symbolic::equations::{Applied, Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start, Step};
-use symbolic::{Equations, Expr, Matrix, SymbolId};
+use symbolic::{Equations, Expr, Matrix, Node, Rational, SymbolId};
 use words::notice::sort;
 use words::{Notice, Text};
 
@@ -354,9 +354,22 @@ fn parameters(model: &Model) -> Vec<Parameter> {
         (crate::model::ParameterValue::Number { .. }, Some(value)) => Some((p, value)),
         _ => None,
     });
-    numbers
-        .map(|(p, value)| Parameter { symbol: p.symbol, value, written: p.written.clone(), unit: p.unit.clone(), label: p.label.clone() })
-        .collect()
+    let rest = |p: &ParameterDecl, value: f64| match (p.value, Rational::from_f64(value)) {
+        (crate::model::ParameterValue::Number { si }, Some(near)) => match model.graph.node(si) {
+            Node::Number(exact) => (exact - &near).to_f64(),
+            _ => 0.0,
+        },
+        _ => 0.0,
+    };
+    let one = |(p, value): (&ParameterDecl, f64)| Parameter {
+        symbol: p.symbol,
+        value,
+        rest: rest(p, value),
+        written: p.written.clone(),
+        unit: p.unit.clone(),
+        label: p.label.clone(),
+    };
+    numbers.map(one).collect()
 }
 
 /// The same and the places at the start that are sought; assembly gives them their numbers.
@@ -367,7 +380,7 @@ fn with_starts(scene: &Scene, mut parameters: Vec<Parameter>) -> (Vec<Parameter>
         let parameter = symbol.map(|symbol| {
             let name = &declared.name;
             let label = Text::new(format!("{name} at the start"), format!("{name} в начале движения"));
-            parameters.push(Parameter { symbol, value: 0.0, written: String::new(), unit: declared.units[0].clone(), label });
+            parameters.push(Parameter { symbol, value: 0.0, rest: 0.0, written: String::new(), unit: declared.units[0].clone(), label });
             parameters.len() - 1
         });
         starts.push(Start { coordinate: *coordinate, parameter, used_by: user.clone() });

@@ -14,7 +14,7 @@ pub fn empty(graph: Graph) -> Equations {
 
 pub fn parameter(e: &mut Equations, name: &str, value: f64) -> Expr {
     let symbol = e.graph.symbol_id(name, 0);
-    e.parameters.push(Parameter { symbol, value, written: String::new(), unit: String::new(), label: Text::default() });
+    e.parameters.push(Parameter { symbol, value, rest: 0.0, written: String::new(), unit: String::new(), label: Text::default() });
     e.graph.symbol(symbol)
 }
 

@@ -8,7 +8,7 @@ use symbolic::{Equations, Expr, Graph};
 use words::{Language, Text};
 
 fn parameter(graph: &mut Graph, name: &str, unit: &str) -> Parameter {
-    Parameter { symbol: graph.symbol_id(name, 0), value: 1.0, written: "1".into(), unit: unit.into(), label: Text::default() }
+    Parameter { symbol: graph.symbol_id(name, 0), value: 1.0, rest: 0.0, written: "1".into(), unit: unit.into(), label: Text::default() }
 }
 
 fn coordinate(graph: &mut Graph, name: &str) -> Coordinate {
