@@ -9,7 +9,7 @@ use symbolic::{Expr, Graph, Node, Rational};
 use words::{Notice, Text};
 
 /// A formula of more terms is compared as a whole.
-pub(super) const MOST_TERMS: usize = 120;
+const MOST_TERMS: usize = 120;
 /// Deepest nesting of sums that is taken apart.
 const DEPTH: usize = 24;
 
@@ -113,7 +113,7 @@ fn terms_of(model: &mut Model, kind: &ClaimKind, own: &[Expr]) -> Terms {
     match kind {
         ClaimKind::Equation { left, right } => {
             let whole = model.graph.sub(*left, *right);
-            let terms = apart(&mut model.graph, whole);
+            let terms = flat(&mut model.graph, whole);
             let anchors = with_accelerations(model, &terms);
             Terms { terms, anchors, of: None, others: own.to_vec() }
         }
@@ -134,8 +134,19 @@ fn with_accelerations(model: &Model, terms: &[Expr]) -> Vec<usize> {
     if found.is_empty() { (0..terms.len()).collect() } else { found }
 }
 
+/// The summands, powers of sums multiplied out: such a power is rounding at its root, and nothing beside it would say of what.
+pub(super) fn flat(graph: &mut Graph, whole: Expr) -> Vec<Expr> {
+    let terms = apart(graph, whole);
+    let is_power = |(base, exponent): &(Expr, Rational)| exponent.to_f64() > 1.0 && matches!(graph.node(*base), Node::Sum { .. });
+    let folded = |e: &Expr| matches!(graph.node(*e), Node::Product { factors, .. } if factors.iter().any(is_power));
+    if !terms.iter().any(folded) {
+        return terms;
+    }
+    graph.expanded(whole, MOST_TERMS).map_or(terms, |whole| apart(graph, whole))
+}
+
 /// The summands of an expression, products of sums multiplied out.
-pub(super) fn apart(graph: &mut Graph, e: Expr) -> Vec<Expr> {
+fn apart(graph: &mut Graph, e: Expr) -> Vec<Expr> {
     let mut found = Vec::new();
     if spread(graph, e, DEPTH, &mut found) && !found.is_empty() { found } else { vec![e] }
 }

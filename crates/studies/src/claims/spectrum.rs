@@ -4,7 +4,7 @@
 //! terms with the same power of ω are told apart; the factors α_k name the term that is wrong. An equation with too many or too few roots is found by
 //! Π (ω² - ω_j²) / L(ω), which is then no polynomial in ω, or vanishes at a root; where L has quotients it is the product of their denominators.
 
-use super::laid::{MOST_TERMS, apart};
+use super::laid::flat;
 use super::terms::of_term;
 use super::verdict::Verdict;
 use crate::machine::Machine;
@@ -17,7 +17,7 @@ use analysis::studies::claims::{Fit, Sum, fit};
 use mechanics::asked::Asked;
 use mechanics::model::{ClaimDecl, ClaimKind, Class, Values};
 use mechanics::variants::{Given, symbols};
-use symbolic::{Expr, Graph, Node, Rational, SymbolId};
+use symbolic::{Expr, SymbolId};
 use words::Text;
 
 /// Values of parameters are drawn between these shares of their own; nearer to them where no machine comes to rest that far away: a linkage that does not close, a
@@ -42,20 +42,56 @@ struct Published {
     unknown: Option<(SymbolId, Expr)>,
 }
 
-/// Compares a frequency equation with the natural frequencies.
+/// The equation at a natural frequency.
+struct Row {
+    frequency: f64,
+    terms: Vec<f64>,
+    /// The largest term there.
+    largest_beside: f64,
+    /// The larger of |L| a tenth below and above: what an equation of one term is measured by.
+    beside: f64,
+}
+
+impl Row {
+    /// Whether a term has a pole there, as the stiffness of one body has in a motion in which that body rests.
+    fn is_pole(&self) -> bool {
+        self.terms.iter().any(|t| t.abs() > POLE * self.largest_beside)
+    }
+
+    /// |L| relative to its largest term.
+    fn deviation(&self) -> f64 {
+        let sum: f64 = self.terms.iter().sum();
+        let largest = self.terms.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
+        let size = if self.terms.len() > 1 { largest } else { self.beside };
+        if size > 0.0 { sum.abs() / size } else { 0.0 }
+    }
+}
+
+/// Compares a frequency equation with the natural frequencies. Free motions may be left out, and so may those of a part that nothing couples to the rest: then
+/// other values of the parameters leave them out too.
 pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, watch: &mut Watch) {
     let ClaimKind::FrequencyEquation { left, right, frequency, unknown } = &claim.kind else { return };
     let graph = &mut machine.equations.graph;
     let whole = graph.sub(*left, *right);
     let published = Published { terms: flat(graph, whole), frequency: *frequency, unknown: *unknown };
-    let own = match frequencies(machine, watch) {
-        Ok(own) => own,
+    let all = match frequencies(machine, watch) {
+        Ok(all) => all,
         Err(words) => return verdict.words = words,
     };
-    let (rows, laid) = rows(machine, &published, &own, watch);
-    let values: Vec<Vec<f64>> = (0..published.terms.len()).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
-    let anchors: Vec<usize> = (0..published.terms.len()).collect();
-    let found = fit(Sum { terms: &values, target: None, anchors: &anchors, others: &[] });
+    let (sets, laid) = sets(machine, &published, &all, watch);
+    let is_root = |row: &Row| row.deviation() <= claim.tolerance;
+    let held: Vec<f64> = sets[0].iter().filter(|row| is_root(row)).map(|row| row.frequency).collect();
+    let own: Vec<f64> = sets[0].iter().map(|row| row.frequency).collect();
+    let as_many = |set: &Vec<Row>| set.iter().filter(|row| is_root(row)).count() == held.len();
+    if !held.is_empty() && held.len() < own.len() && sets.iter().all(as_many) && roots(machine, &published, &held) == Roots::These {
+        let rows: Vec<&Row> = sets.iter().flatten().filter(|row| is_root(row)).collect();
+        verdict.deviation = rows.iter().fold(0.0, |m, row| m.max(row.deviation()));
+        (verdict.value, verdict.published, verdict.ok) = (0.0, 0.0, true);
+        verdict.words = of_a_part(&held, &without(&all, &held));
+        return;
+    }
+    let rows: Vec<&Row> = sets.iter().flatten().collect();
+    let found = compared(&published, &rows);
     (verdict.value, verdict.published) = found.worst;
     verdict.deviation = found.deviation;
     let vanishes = found.holds(claim.tolerance);
@@ -63,27 +99,43 @@ pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, wa
     verdict.ok = vanishes && roots == Roots::These;
     if verdict.ok {
         verdict.published = verdict.value;
-        if let Laid::AtOwnValues = laid {
-            verdict.words = only_here();
-        }
+        let mut left = without(&all, &own);
+        left.retain(|w| *w > 0.0 || row(machine, &published, (0.0, constants(machine))).deviation() > claim.tolerance);
+        verdict.words = match laid {
+            Laid::AtOwnValues => only_here(),
+            Laid::Anywhere if !left.is_empty() => of_a_part(&own, &left),
+            Laid::Anywhere => std::mem::take(&mut verdict.words),
+        };
     } else {
         verdict.words = match roots {
             Roots::Fewer => fewer_roots(&own),
             _ if vanishes => other_roots(&own),
-            _ => words(machine, (&published, &own), &found, claim.tolerance),
+            _ => words(machine, &published, (&own, &held), &found, claim.tolerance),
         };
     }
 }
 
-/// The summands, powers of sums multiplied out: such a power is rounding at its root, and nothing beside it would say of what.
-fn flat(graph: &mut Graph, whole: Expr) -> Vec<Expr> {
-    let terms = apart(graph, whole);
-    let is_power = |(base, exponent): &(Expr, Rational)| exponent.to_f64() > 1.0 && matches!(graph.node(*base), Node::Sum { .. });
-    let folded = |e: &Expr| matches!(graph.node(*e), Node::Product { factors, .. } if factors.iter().any(is_power));
-    if !terms.iter().any(folded) {
-        return terms;
+/// The sum of the terms over all rows; an equation of one term by what it is beside its roots.
+fn compared(published: &Published, rows: &[&Row]) -> Fit {
+    let n = published.terms.len();
+    if n == 1 {
+        let worst = rows.iter().max_by(|a, b| a.deviation().total_cmp(&b.deviation()));
+        let (deviation, value) = worst.map_or((f64::NAN, f64::NAN), |row| (row.deviation(), row.terms[0]));
+        return Fit { deviation, worst: (0.0, value), ..Fit::default() };
     }
-    graph.expanded(whole, MOST_TERMS).map_or(terms, |whole| apart(graph, whole))
+    let values: Vec<Vec<f64>> = (0..n).map(|k| rows.iter().map(|row| row.terms[k]).collect()).collect();
+    fit(Sum { terms: &values, target: None, anchors: &(0..n).collect::<Vec<_>>(), others: &[] })
+}
+
+/// Numbers of a list that are not in another, each as often as it stands there more.
+fn without(all: &[f64], taken: &[f64]) -> Vec<f64> {
+    let mut left = all.to_vec();
+    for value in taken {
+        if let Some(at) = left.iter().position(|v| v == value) {
+            left.remove(at);
+        }
+    }
+    left
 }
 
 /// Natural circular frequencies without damping, the smallest first; rigid motions are zero.
@@ -108,9 +160,17 @@ fn frequencies(machine: &mut Machine, watch: &mut Watch) -> Result<Vec<f64>, Tex
     if own.is_empty() { Err(none()) } else { Ok(own) }
 }
 
-/// The terms at each natural frequency, with the values of the file and with drawn ones, and whether there are any of these.
-fn rows(machine: &mut Machine, published: &Published, own: &[f64], watch: &mut Watch) -> (Vec<Vec<f64>>, Laid) {
-    let mut rows: Vec<Vec<f64>> = own.iter().map(|w| terms_at(machine, published, *w)).collect();
+/// The rows of the natural frequencies, those of the file first, then of drawn values of its parameters, and whether there are any of these. Free motions have no
+/// row where there are others: a factor k² more or less is no mistake.
+fn sets(machine: &mut Machine, published: &Published, own: &[f64], watch: &mut Watch) -> (Vec<Vec<Row>>, Laid) {
+    let set = |machine: &Machine, list: &[f64], known: &Values| -> Vec<Row> {
+        let moving = list.iter().filter(|w| **w > 0.0).count();
+        let kept = list.iter().filter(|w| moving == 0 || **w > 0.0);
+        let rows: Vec<Row> = kept.map(|w| row(machine, published, (*w, known.clone()))).collect();
+        let poles = rows.iter().filter(|r| r.is_pole()).count();
+        rows.into_iter().filter(|r| poles == moving || !r.is_pole()).collect()
+    };
+    let mut sets = vec![set(machine, own, &constants(machine))];
     let of_frame: Vec<SymbolId> = machine.equations.mounted.as_ref().map(|m| m.numbers().to_vec()).unwrap_or_default();
     let named: Vec<(String, f64)> = machine
         .model
@@ -123,21 +183,35 @@ fn rows(machine: &mut Machine, published: &Published, own: &[f64], watch: &mut W
     let draws = (2 * published.terms.len() + 6) / own.len() + 1;
     let mut random = Random::new(SEED);
     for [low, high] in SPREADS {
-        let known = rows.len();
+        let known = sets.len();
         for _ in 0..draws {
             let values: Vec<(&str, f64)> = named.iter().map(|(name, v)| (name.as_str(), v * random.between(low, high))).collect();
             let Ok(mut other) = machine.with_values(&values) else { continue };
             // formulas of the claim are those of the graph above
             let known = constants(&other);
             if let Ok(list) = frequencies(&mut other, watch) {
-                rows.extend(list.iter().map(|w| evaluated(machine, published, (*w, known.clone()))));
+                sets.push(set(machine, &list, &known));
             }
         }
-        if rows.len() > known || named.is_empty() {
-            return (rows, Laid::Anywhere);
+        if sets.len() > known || named.is_empty() {
+            return (sets, Laid::Anywhere);
         }
     }
-    (rows, Laid::AtOwnValues)
+    (sets, Laid::AtOwnValues)
+}
+
+/// Share of a frequency at which an equation is looked at beside it.
+const BESIDE: f64 = 0.1;
+
+/// A term this many times as large as beside it has a pole: no polynomial of a machine's equation falls so fast within a tenth.
+const POLE: f64 = 1e8;
+
+fn row(machine: &Machine, published: &Published, (frequency, known): (f64, Values)) -> Row {
+    let terms = |w: f64| evaluated(machine, published, (w, known.clone()));
+    let sides = [1.0 - BESIDE, 1.0 + BESIDE].map(|share| terms(frequency * share));
+    let beside = sides.iter().map(|side| side.iter().sum::<f64>().abs()).fold(0.0, f64::max);
+    let largest_beside = sides.iter().flatten().fold(0.0_f64, |m, t| m.max(t.abs()));
+    Row { frequency, beside, largest_beside, terms: terms(frequency) }
 }
 
 /// With which values of the parameters an equation was compared.
@@ -171,12 +245,20 @@ fn evaluated(machine: &Machine, published: &Published, (frequency, mut known): (
 /// Whether L has the natural frequencies for roots and no others: Π (ω² - ω_j²) / L is then a polynomial in ω, of quotients in L their denominators, but for a power
 /// of ω. Another root would be a pole of it, a missing one leaves a factor that the polynomial has anyway and that vanishes at the root.
 fn roots(machine: &Machine, published: &Published, own: &[f64]) -> Roots {
+    match roots_of(machine, published, own, |v| v) {
+        // magnitudes have no signs
+        Roots::Others => roots_of(machine, published, own, f64::abs),
+        found => found,
+    }
+}
+
+fn roots_of(machine: &Machine, published: &Published, own: &[f64], sign: fn(f64) -> f64) -> Roots {
     let mean = own.iter().sum::<f64>() / own.len() as f64;
     let mean = if mean > 0.0 { mean } else { 1.0 };
     let quotient = |u: f64| {
         let sum: f64 = terms_at(machine, published, u * mean).iter().sum();
         let roots: f64 = own.iter().map(|r| u * u - (r / mean) * (r / mean)).product();
-        roots / sum
+        sign(roots / sum)
     };
     let powers: Vec<i32> = (-LOWER..=2 * own.len() as i32).collect();
     let places: Vec<f64> =
@@ -241,8 +323,27 @@ fn other_roots(own: &[f64]) -> Text {
     )
 }
 
-/// Which terms differ; where that cannot be told, the natural frequencies.
-fn words(machine: &mut Machine, (published, own): (&Published, &[f64]), found: &Fit, tolerance: f64) -> Text {
+/// The equation is right for some of the frequencies.
+fn of_a_part(held: &[f64], left: &[f64]) -> Text {
+    let free = left.iter().all(|w| *w == 0.0);
+    let of = |language| [listed(held, language), listed(left, language)];
+    let ([en, en_left], [ru, ru_left]) = (of(words::Language::En), of(words::Language::Ru));
+    if free {
+        return Text::new(
+            format!("its roots are {en} rad/s; the free motion (0 rad/s) is left out, as is usual"),
+            format!("его корни {ru} рад/с; свободное движение (0 рад/с) опущено, как это принято"),
+        );
+    }
+    Text::new(
+        format!(
+            "its roots are {en} rad/s; {en_left} rad/s are no roots: they belong to a part of the machine that the equation leaves out"
+        ),
+        format!("его корни {ru} рад/с; {ru_left} рад/с — не корни: они относятся к части машины, которую уравнение не описывает"),
+    )
+}
+
+/// Which terms differ; where that cannot be told, the natural frequencies at which the equation does not hold.
+fn words(machine: &mut Machine, published: &Published, (own, held): (&[f64], &[f64]), found: &Fit, tolerance: f64) -> Text {
     let mut list: Vec<Text> = Vec::new();
     if let Some(factors) = &found.factors {
         for group in found.groups.iter().filter(|g| (factors[g[0]] - 1.0).abs() > tolerance) {
@@ -251,13 +352,33 @@ fn words(machine: &mut Machine, (published, own): (&Published, &[f64]), found: &
             list.push(of_term(machine, whole, factors[group[0]]));
         }
     }
-    if list.is_empty() {
-        let of = |language| listed(own, language);
-        return Text::new(
-            format!("the equation does not hold at the natural frequencies {} rad/s", of(words::Language::En)),
-            format!("уравнение не выполняется при собственных частотах {} рад/с", of(words::Language::Ru)),
-        );
+    let fails = without(own, held);
+    if list.is_empty() || !(fails.is_empty() || held.is_empty()) {
+        return does_not_hold(&fails, held);
     }
     let joined = |pick: fn(&Text) -> &str| list.iter().map(pick).collect::<Vec<_>>().join("; ");
     Text::new(joined(|t| &t.en), joined(|t| &t.ru))
+}
+
+fn does_not_hold(fails: &[f64], held: &[f64]) -> Text {
+    let of = |list: &[f64]| [words::Language::En, words::Language::Ru].map(|language| listed(list, language));
+    let ([en, ru], [en_held, ru_held]) = (of(fails), of(held));
+    if fails.is_empty() {
+        return Text::new(
+            format!(
+                "the equation holds at the natural frequencies {en_held} rad/s for the values of the file alone: with other values of the parameters it does not"
+            ),
+            format!(
+                "уравнение выполняется при собственных частотах {ru_held} рад/с только для значений из файла, при других значениях параметров — нет"
+            ),
+        );
+    }
+    let [more_en, more_ru] = match held {
+        [] => [String::new(), String::new()],
+        _ => [format!("; it holds at {en_held} rad/s"), format!("; при {ru_held} рад/с оно выполняется")],
+    };
+    Text::new(
+        format!("the equation does not hold at the natural frequencies {en} rad/s{more_en}"),
+        format!("уравнение не выполняется при собственных частотах {ru} рад/с{more_ru}"),
+    )
 }
