@@ -28,6 +28,13 @@ pub struct Transient {
     pub linearise: bool,
 }
 
+impl Transient {
+    /// As a file asks for it.
+    pub fn of(asked: &Asked) -> Transient {
+        Transient { motion: Simulate::of(asked), linearise: asked.flag("linearise") }
+    }
+}
+
 /// The study.
 pub struct ClosedForm;
 
@@ -80,8 +87,7 @@ impl Study for ClosedForm {
         })
     }
     fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
-        let study = Transient { motion: Simulate::of(asked), linearise: asked.flag("linearise") };
-        Some(closed_form(machine, &study, watch))
+        Some(closed_form(machine, &Transient::of(asked), watch))
     }
     fn of_file(&self) -> &'static [&'static [&'static str]] {
         &[&["transient"], MOTIONS]

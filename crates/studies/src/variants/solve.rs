@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::machine::Machine;
 use crate::observable::Observable;
 use crate::results::Results;
+use crate::transient::Transient;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::asked::{Asked, Value};
@@ -69,6 +70,11 @@ pub fn studies(machine: &mut Machine, watch: &mut Watch) -> Vec<Results> {
         found.extend(machine.origin.studies.find(asked.kind).and_then(|study| study.run(machine, asked, &mut inner)));
     }
     found
+}
+
+/// Studies of a motion in time, in the order in which an answer looks for one.
+fn motions() -> [&'static str; 2] {
+    [crate::simulate::KIND.name, crate::transient::KIND.name]
 }
 
 struct Finder<'a, 'w> {
@@ -190,11 +196,10 @@ impl Finder<'_, '_> {
 
     /// The motion that is meant, with its place among the results.
     fn motion(&self, answer: &AnswerDecl, of: Option<&str>) -> Result<&Results, Notice> {
-        let moves = |r: &&Results| of.map_or(r.kind == crate::simulate::KIND.name, |of| r.kind == of);
-        let found = self
-            .results
-            .iter()
-            .find(moves)
+        let of_kind = |kind: &str| self.results.iter().find(|r| r.kind == kind);
+        let any = || motions().into_iter().find_map(of_kind);
+        let found = of
+            .map_or_else(any, of_kind)
             .ok_or_else(|| unknown(answer, Misfit::new("the file has no study `simulate`", "в файле нет расчёта `simulate`")))?;
         found.trouble.clone().map_or(Ok(found), Err)
     }
@@ -239,20 +244,25 @@ impl Finder<'_, '_> {
             };
             return Ok((value, unit));
         }
-        let value = self.value_at(column, t).ok_or_else(|| unknown(answer, rows_only(column)))?;
+        let kind = self.motion(answer, of)?.kind;
+        let value = self.value_at(kind, column, t).ok_or_else(|| unknown(answer, rows_only(column)))?;
         Ok((value, unit))
     }
 
-    /// The motion once more, with a row at the instant.
-    fn value_at(&mut self, column: &str, t: f64) -> Option<f64> {
-        let asked = self.machine.model.studies.iter().find(|s| s.kind == crate::simulate::KIND.name)?.clone();
+    /// The motion of this study once more, with a row at the instant.
+    fn value_at(&mut self, kind: &str, column: &str, t: f64) -> Option<f64> {
+        let asked = self.machine.model.studies.iter().find(|s| s.kind == kind)?.clone();
         if asked.number("until").is_some_and(|until| t > until) {
             return None;
         }
         let mut asked = asked.with("at", Value::Numbers(vec![t])).with("outputs", Value::Words(vec![column.to_owned()]));
         ["every", "plot"].into_iter().for_each(|key| asked.unset(key));
         let study = crate::simulate::Simulate::of(&asked);
-        let results = crate::simulate::motion(self.machine, &study, &mut Watch { interrupt: self.watch.interrupt, ..Watch::default() });
+        let mut watch = Watch { interrupt: self.watch.interrupt, ..Watch::default() };
+        let results = match kind == crate::transient::KIND.name {
+            true => crate::transient::closed_form(self.machine, &Transient::of(&asked), &mut watch),
+            false => crate::simulate::motion(self.machine, &study, &mut watch),
+        };
         let axis = &results.data.columns.get(results.data.axis?)?.values;
         let row = axis.iter().rposition(|x| *x == t)?;
         results.data.column(column)?.values.get(row).copied()
