@@ -310,6 +310,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         pushes: &pushes,
         listener: Listener { interrupt: watch.interrupt, told: Some(&told) },
         coefficients: study.coefficients,
+        longest: longest(study),
         ..Options::default()
     };
     let mut outcome = (analysis::made::PERIODIC)(&mut machine.system, start, &options);
@@ -319,6 +320,13 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         outcome.fault = Some(analysis::studies::periodic::section_of_forced());
     }
     outcome
+}
+
+/// How long a motion may take to come back at least, s: a multiple of what is given of its time.
+fn longest(study: &Periodic) -> f64 {
+    const TIMES: f64 = 100.0;
+    let given = [study.period, study.tuned.as_ref().map(|(_, wanted)| *wanted), Some(study.settle)];
+    given.into_iter().flatten().fold(Options::default().longest, |longest, time| longest.max(TIMES * time))
 }
 
 /// A parameter with its value, found for a wanted period.
@@ -447,6 +455,7 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     results.own.insert("multipliers".into(), json!(multipliers));
     results.own.insert("stable".into(), json!(regime.stable));
     results.own.insert("least_period".into(), json!(regime.period / regime.parts.max(1) as f64));
+    results.own.insert("periods_of_forces".into(), json!(regime.forces.max(1)));
     let names = machine.system_states();
     let by_name = |values: &[f64]| -> Value {
         names.iter().zip(values).map(|(n, v)| (n.clone(), json!(v))).collect::<serde_json::Map<_, _>>().into()

@@ -63,9 +63,33 @@ impl<'o> Orbits<'_, 'o> {
         self.shooting.turn(machine, &y[..n], period)
     }
 
+    /// R at y, whose start is first put onto the conditions.
     fn off(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
-        let turned = self.turn(y)?;
-        Ok(missed(&turned, y, near))
+        let y = self.seated(y)?;
+        let turned = self.turn(&y)?;
+        Ok(missed(&turned, &y, near))
+    }
+
+    /// y with its start on the conditions that hold at its parameter: the rate of a crank that turns by w t is another one at another w.
+    fn seated(&mut self, y: &[f64]) -> Result<Vec<f64>, Fault> {
+        let n = self.shooting.scales().len();
+        let mut y = y.to_vec();
+        let (machine, _) = self.family.at(y[y.len() - 1])?;
+        self.shooting.project(machine, &mut y[..n])?;
+        Ok(y)
+    }
+
+    /// How the start keeps to the conditions where the parameter changes: change of the unknowns over its range, SI.
+    fn by_parameter(&mut self, y: &[f64]) -> Result<Vec<f64>, Fault> {
+        let (last, step) = (y.len() - 1, STEP * self.range);
+        let mut ends = [y.to_vec(), y.to_vec()];
+        for (end, step) in ends.iter_mut().zip([-step, step]) {
+            end[last] += step;
+            *end = self.seated(end)?;
+        }
+        let [before, behind] = ends;
+        let slope = |i: usize| (behind[i] - before[i]) / (2.0 * STEP);
+        Ok((0..=last).map(|i| if i == last { self.range } else { slope(i) }).collect())
     }
 }
 
@@ -77,7 +101,7 @@ fn missed(turned: &Turned<'_>, y: &[f64], near: &Local) -> Vec<f64> {
     gap
 }
 
-/// Free directions of the start, then the period of a free motion and the parameter, as changes of all unknowns in scales.
+/// Free directions of the start, then the period of a free motion and the parameter alone, as changes of all unknowns in scales.
 pub(super) fn directions(varied: &Varied, scales: &[f64], unknowns: usize) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for (column, &j) in varied.basis.iter().zip(&varied.states) {
@@ -114,6 +138,7 @@ fn jacobian(varied: &Varied, local: &Local, by_parameter: &[f64]) -> Vec<f64> {
 
 impl Zeros for Orbits<'_, '_> {
     fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
+        let y = &self.seated(y)?[..];
         let mut turned = self.turn(y)?;
         self.work[1] += 1;
         let (last, n) = (y.len() - 1, self.shooting.scales().len());
@@ -123,10 +148,16 @@ impl Zeros for Orbits<'_, '_> {
         }
         let coordinates = crate::System::n_coordinates(machine);
         self.shooting.widen(machine, &turned);
+        let with_parameter = self.by_parameter(y)?;
+        // what follows the parameter has its way over the range as its scale
+        self.shooting.raise(&with_parameter);
         turned.rescale(self.shooting.scales());
+        let (machine, _) = self.family.at(y[last])?;
         let varied = self.shooting.vary(machine, &mut turned)?;
         let scales = self.scales();
-        let basis = directions(&varied, &scales, y.len());
+        let mut basis = directions(&varied, &scales, y.len());
+        basis.pop();
+        basis.push(with_parameter.iter().zip(&scales).map(|(change, scale)| change / scale).collect());
         let phase = (last > n).then(|| {
             let size = varied.rates.iter().zip(&scales).map(|(r, s)| (r / s) * (r / s)).sum::<f64>().sqrt();
             (varied.rates.iter().map(|r| r / size).collect::<Vec<f64>>(), y[..n].to_vec())

@@ -122,6 +122,31 @@ fn clocks(n: usize, states: usize, rows: &[f64]) -> Result<Vec<usize>, Fault> {
     if list.iter().any(|i| felt(*i)) { Err(driven()) } else { Ok(list) }
 }
 
+impl Rests<'_> {
+    /// y on the conditions that hold at its parameter: the angles of a linkage follow the length of its rod.
+    fn seated(&mut self, y: &[f64]) -> Result<Vec<f64>, Fault> {
+        let (last, mut y) = (y.len() - 1, y.to_vec());
+        let (machine, _) = self.family.at(y[last])?;
+        let (n, modes) = (machine.n_coordinates(), modes(machine, &y[..last]));
+        machine.project(0.0, &mut y[..last], &modes)?;
+        y[n..2 * n].fill(0.0);
+        Ok(y)
+    }
+
+    /// The direction in which the parameter changes and the place keeps to the conditions, as a change of all unknowns in scales.
+    fn by_parameter(&mut self, y: &[f64], scales: &[f64]) -> Result<Vec<f64>, Fault> {
+        let (last, step) = (y.len() - 1, STEP * self.range);
+        let mut ends = [y.to_vec(), y.to_vec()];
+        for (end, step) in ends.iter_mut().zip([-step, step]) {
+            end[last] += step;
+            *end = self.seated(end)?;
+        }
+        let [before, behind] = ends;
+        let slope = |i: usize| (behind[i] - before[i]) / (2.0 * STEP * scales[i]);
+        Ok((0..=last).map(|i| if i == last { 1.0 } else { slope(i) }).collect())
+    }
+}
+
 /// Scales of the states: an angle has the size of a radian, and a rate the scale of its coordinate.
 fn scales(machine: &Machine, sizes: &[f64]) -> Vec<f64> {
     let n = machine.n_coordinates();
@@ -184,6 +209,7 @@ impl Zeros for Rests<'_> {
     fn local(&mut self, y: &[f64]) -> Result<Local, Fault> {
         let last = y.len() - 1;
         self.evaluations += 1;
+        let y = &self.seated(y)?[..];
         let x = &y[..last];
         self.sizes.iter_mut().zip(x).for_each(|(size, x)| *size = size.max(x.abs()));
         let (machine, _) = self.family.at(y[last])?;
@@ -210,7 +236,7 @@ impl Zeros for Rests<'_> {
             whole.push(0.0);
             basis.push(whole);
         }
-        basis.push((0..y.len()).map(|i| if i == last { 1.0 } else { 0.0 }).collect());
+        basis.push(self.by_parameter(y, &scales)?);
         let (m, columns) = (states.len(), states.len() + 1);
         let mut jacobian = vec![0.0; m * columns];
         for (r, &i) in states.iter().enumerate() {
@@ -232,6 +258,7 @@ impl Zeros for Rests<'_> {
     }
 
     fn residual(&mut self, y: &[f64], near: &Local) -> Result<Vec<f64>, Fault> {
+        let y = self.seated(y)?;
         let last = y.len() - 1;
         let (machine, _) = self.family.at(y[last])?;
         let n = machine.n_coordinates();
@@ -244,13 +271,7 @@ impl Zeros for Rests<'_> {
         for (c, column) in change.iter().zip(&near.basis) {
             y.iter_mut().zip(column).zip(&near.scales).for_each(|((y, b), s)| *y += c * b * s);
         }
-        let last = y.len() - 1;
-        let (machine, _) = self.family.at(y[last])?;
-        let modes = modes(machine, &y[..last]);
-        machine.project(0.0, &mut y[..last], &modes)?;
-        let n = machine.n_coordinates();
-        y[n..2 * n].fill(0.0);
-        Ok(y)
+        self.seated(&y)
     }
 
     fn switches(&mut self, _: &[f64]) -> Option<Vec<usize>> {

@@ -7,8 +7,8 @@ use super::options::Periodic;
 use super::orbit::{Limit, Orbit, Section, follow};
 use super::slopes;
 use super::spectrum::Turn;
-use super::symmetry::{self, Symmetry};
-use super::turns::Turns;
+use super::symmetry::{Symmetry, clear_shifts};
+use super::turns::{self, Known, Turns};
 use super::variation::Care;
 use crate::dataset::Audit;
 use crate::integrate::taylor::Options;
@@ -258,7 +258,7 @@ impl Found<'_> {
             let part = self.orbit.period / k as f64;
             let laws = match &self.symmetry.frame {
                 Some(_) => false,
-                None => symmetry::repeats(system, &self.orbit, (part, &self.carried), &self.scales)?,
+                None => self.laws_repeat(system, part)?,
             };
             if laws {
                 forces = k;
@@ -268,6 +268,12 @@ impl Found<'_> {
             }
         }
         Ok((motion, forces))
+    }
+
+    /// Whether the machine is the same after a time: laws and conditions.
+    pub(super) fn laws_repeat<S: System + ?Sized>(&self, system: &mut S, time: f64) -> Result<bool, Fault> {
+        let known = Known { turns: &self.turns, loose: &self.loose, scales: &self.scales };
+        turns::repeats(system, (&self.orbit, self.orbit.period), (time, &self.carried), &known)
     }
 
     /// Whether the state at that instant is the one at the start.
@@ -334,13 +340,5 @@ impl Found<'_> {
         // in modes that differ (a start on a switch) the accelerations need not agree
         let same = self.orbit.modes[0] == self.orbit.modes[1];
         Ok(closure(if same { places.max(rates) } else { places }))
-    }
-}
-
-/// Takes the translations out of a change.
-fn clear_shifts(symmetry: &Symmetry, change: &mut [f64]) {
-    for (pivot, shift) in &symmetry.shifts {
-        let amount = change[*pivot];
-        change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
     }
 }

@@ -8,8 +8,9 @@ use super::options::{Periodic, Return};
 use super::orbit::{Orbit, Section, follow};
 use super::rest::{self, Left};
 use super::symmetry::{self, Reach, Symmetry};
-use super::turns::{self, Turns};
+use super::turns::{self, Known, Turns};
 use crate::integrate::taylor::{Flow, Options};
+use crate::studies::simulate::Grid;
 use crate::{Fault, System};
 use words::Text;
 
@@ -58,6 +59,9 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
     if interrupted(options) {
         return Err(unsettled(1.0, 0));
     }
+    let longest = options.longest.max(patience(&trial, options));
+    let slow = Periodic { longest, by: options.by.clone(), grid: Grid::Auto, outputs: None, ..*options };
+    let options = &slow;
     let (mut search, x) = prepare(system, start, (trial, floor), options, flow)?;
     if search.state.is_none()
         && let Some(found) = at_once(system, &mut search, &x)?
@@ -285,16 +289,44 @@ fn at_once<'o, S: System + ?Sized>(system: &mut S, search: &mut Search<'_, 'o>, 
     Ok(None)
 }
 
+/// How long a motion as slow as this one is followed to its return at least, s; a given period, even where it is a guess only, says more.
+fn patience(trial: &Orbit, options: &Periodic<'_>) -> f64 {
+    let given = if let Return::Period(period) = options.by { GUESSES * period } else { 0.0 };
+    trial.steps.iter().map(|step| STEPS * step.length).fold(given, f64::max)
+}
+
+/// A motion is followed to its return for so many of the longest steps of its trial: a step leads over about a radian of the quickest motion, and a turn of many thousands is none that is waited for.
+const STEPS: f64 = 1e4;
+/// And for so many of the given period.
+const GUESSES: f64 = 100.0;
+/// What moves takes more than one step within this time, s: thirty times the age of the universe.
+const NEVER: f64 = 1e19;
+
 /// Some steps after the time to settle. Only the first half counts, for the run may have ended before a singular place.
 fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>, with: &Options) -> Result<(Orbit, Vec<f64>), Fault> {
     let mut flow = Flow::start(system, 0.0, start, with)?;
     let mut floor = settle(&mut flow, options.settle, options)?;
     floor.iter_mut().for_each(|size| *size *= FLOOR);
-    let begin = flow.time();
-    let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
+    let (begin, x) = (flow.time(), flow.state().to_vec());
+    let kept = |flow: &Flow<'_, S>, orbit: Orbit| (halved(orbit, begin, flow.time()), floor.clone());
     // a forced machine that runs away from its regime does so within any longer time
     let enough = if let Return::Period(period) = options.by { PERIODS * period * options.returns.max(1) as f64 } else { f64::INFINITY };
-    let end = begin + options.longest.min(enough);
+    // however slow the machine is; where nothing moves, no time shows more than another
+    if let Ok(orbit) = steps(&mut flow, begin + enough.min(NEVER), options)
+        && flow.time() < NEVER
+    {
+        return Ok(kept(&flow, orbit));
+    }
+    let mut flow = Flow::start(flow.system(), begin, &x, with)?;
+    let orbit = steps(&mut flow, begin + options.longest.min(enough), options)?;
+    Ok(kept(&flow, orbit))
+}
+
+/// The steps of a trial.
+///
+/// *Errors*: those of a motion that fails at once.
+fn steps<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, options: &Periodic<'_>) -> Result<Orbit, Fault> {
+    let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
     while !flow.reached(end) && orbit.steps.len() < TRIAL && !interrupted(options) {
         if let Err(fault) = flow.advance(end) {
             // a motion that runs away shows scales before it does
@@ -305,16 +337,21 @@ fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'
         }
         orbit.steps.push(flow.step().clone());
     }
-    let half = begin + 0.5 * (flow.time() - begin);
+    Ok(orbit)
+}
+
+/// The first half of a trial.
+fn halved(mut orbit: Orbit, begin: f64, end: f64) -> Orbit {
+    let half = begin + 0.5 * (end - begin);
     let kept = orbit.steps.iter().take_while(|s| s.end().high <= half).count();
     orbit.steps.truncate(kept.max(4));
-    orbit.last = vec![0.0; start.len()];
+    orbit.last = vec![0.0; orbit.first.len()];
     if let Some(step) = orbit.steps.last() {
         step.state_at(step.end().high, &mut orbit.last);
         orbit.modes[1] = step.modes.clone();
         orbit.period = step.end().high - begin;
     }
-    Ok((orbit, floor))
+    orbit
 }
 
 /// Periods of a forced machine that a trial lasts at most; the first half of it counts.
@@ -406,8 +443,8 @@ fn prepare<'s, 'o, S: System + ?Sized>(
     }
     match (&search.symmetry.frame, &options.by) {
         (None, Return::Period(period)) => {
-            let with = (&search.turns, &search.scales[..]);
-            search.carried = turns::carried(system, (&trial, elapsed), *period, with)?.ok_or_else(|| driven(Some(*period)))?;
+            let known = Known { turns: &search.turns, loose: &search.loose, scales: &search.scales };
+            search.carried = turns::carried(system, (&trial, elapsed), *period, &known)?.ok_or_else(|| driven(Some(*period)))?;
             if options.settle > 0.0 {
                 x = settled_phase(system, start, (*period, &search.carried), options, &search.flow)?;
             }

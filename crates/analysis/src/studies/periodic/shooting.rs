@@ -7,8 +7,8 @@ use super::newton;
 use super::options::{Multiplier, Periodic};
 use super::orbit::{Limit, Orbit, Section, follow};
 use super::spectrum::spectrum;
-use super::symmetry::{self, Symmetry};
-use super::turns::Turns;
+use super::symmetry::Symmetry;
+use super::turns::{self, Known, Turns};
 use super::variation::Care;
 use crate::integrate::Step;
 use crate::integrate::taylor::{Flow, Options};
@@ -102,6 +102,11 @@ impl<'o> Shooting<'o> {
     pub(in crate::studies) fn widen<S: System + ?Sized>(&mut self, system: &S, turned: &Turned<'_>) {
         let now = newton::scales(system, &turned.0.orbit, None, &[]);
         self.found.scales.iter_mut().zip(now).for_each(|(scale, now)| *scale = scale.max(now));
+    }
+
+    /// Takes scales that are no smaller than these.
+    pub(in crate::studies) fn raise(&mut self, least: &[f64]) {
+        self.found.scales.iter_mut().zip(least).for_each(|(scale, least)| *scale = scale.max(least.abs()));
     }
 
     /// The motion from a state over a time.
@@ -229,7 +234,8 @@ impl Shooting<'_> {
         let steps = parts.iter().flat_map(|part| part.orbit.steps.iter().cloned()).collect();
         let modes = [begin.orbit.modes[0].clone(), end.orbit.modes[1].clone()];
         let orbit = Orbit { steps, first: begin.orbit.first.clone(), last: end.orbit.last.clone(), period, modes, ..Orbit::default() };
-        symmetry::repeats(system, &orbit, (period, &self.carried_in(period)), &self.found.scales)
+        let known = Known { turns: &self.found.turns, loose: &self.found.loose, scales: &self.found.scales };
+        turns::repeats(system, (&orbit, period), (period, &self.carried_in(period)), &known)
     }
 
     /// Velocities of the angles that turn with the forcing: the same whole turns in another period.
@@ -294,7 +300,7 @@ impl Turned<'_> {
     ///
     /// *Errors*: those of the equations.
     pub(in crate::studies) fn laws_repeat<S: System + ?Sized>(&self, system: &mut S) -> Result<bool, Fault> {
-        symmetry::repeats(system, &self.0.orbit, (self.0.orbit.period, &self.0.carried), &self.0.scales)
+        self.0.laws_repeat(system, self.0.orbit.period)
     }
 
     /// Least and greatest value of each of the first n states, whose rates are the next n.

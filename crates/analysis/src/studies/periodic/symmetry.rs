@@ -232,6 +232,14 @@ fn samples<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) ->
     out
 }
 
+/// Takes the translations out of a change.
+pub(super) fn clear_shifts(symmetry: &Symmetry, change: &mut [f64]) {
+    for (pivot, shift) in &symmetry.shifts {
+        let amount = change[*pivot];
+        change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
+    }
+}
+
 /// Whether the laws are the same after whole turns of some states.
 pub(super) fn turned<S: System + ?Sized>(system: &mut S, orbit: &Orbit, turns: &[(usize, f64)], scales: &[f64]) -> Result<bool, Fault> {
     unchanged(system, orbit, scales, |sample| {

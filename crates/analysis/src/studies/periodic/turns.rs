@@ -8,7 +8,7 @@
 //! elastic mesh in the ratio of the gear. Which n is tried is read off the motion: what its angles gain in the ratio of whole numbers; whether the laws agree decides.
 
 use super::orbit::Orbit;
-use super::symmetry;
+use super::symmetry::{self, Symmetry};
 use crate::{Fault, System};
 use std::f64::consts::TAU;
 
@@ -53,12 +53,75 @@ impl Turns {
         self.0.iter().for_each(|turn| unwind(turn, change));
     }
 
-    /// The same for a state that has turned far; others keep theirs.
+    /// Takes whole turns off a state that has turned far; others keep theirs.
     pub(super) fn unwind(&self, x: &mut [f64]) {
         let far = |turn: &&Turn| x[turn[0].0].abs() > WOUND * TAU * turn[0].1;
         let wound: Vec<&Turn> = self.0.iter().filter(far).collect();
         wound.into_iter().for_each(|turn| unwind(turn, x));
     }
+
+    /// Adds the whole turns that are nearest to what the states gain, and so many more of each.
+    fn add(&self, x: &mut [f64], (gains, more): (&[f64], f64)) {
+        for turn in &self.0 {
+            let (first, count) = turn[0];
+            let times = (gains[first] / (TAU * count)).round() + more;
+            turn.iter().for_each(|(i, n)| x[*i] += times * n * TAU);
+        }
+    }
+}
+
+/// What is known of the laws beside a motion.
+pub(super) struct Known<'a> {
+    pub(super) turns: &'a Turns,
+    /// Translations that the laws do not feel.
+    pub(super) loose: &'a Symmetry,
+    /// What the states vary by.
+    pub(super) scales: &'a [f64],
+}
+
+/// States that are conditions' and come back to this share of their scales are the same: a projection leaves less.
+const SAME: f64 = 1e-8;
+/// Places along the motion at which the conditions are held against those of a later instant.
+const PLACES: usize = 12;
+
+/// Whether the machine is the same after this time, while states are carried along with these velocities: its laws, and its conditions. A crank that turns by w t is elsewhere until it has made
+/// whole turns, and what the laws say of its angle says nothing of time alone.
+pub(super) fn repeats<S: System + ?Sized>(
+    system: &mut S,
+    (orbit, elapsed): (&Orbit, f64),
+    (period, carried): (f64, &[f64]),
+    known: &Known<'_>,
+) -> Result<bool, Fault> {
+    Ok(symmetry::repeats(system, orbit, (period, carried), known.scales)? && kept(system, (orbit, elapsed), (period, carried), known))
+}
+
+/// Whether states of the motion keep to the conditions of a later instant, but for whole turns and translations that the laws do not feel.
+fn kept<S: System + ?Sized>(system: &mut S, (orbit, elapsed): (&Orbit, f64), (period, carried): (f64, &[f64]), known: &Known<'_>) -> bool {
+    let begin = orbit.steps.first().map_or(0.0, |s| s.start.high);
+    // rounding of the end of a period
+    let within = |t: f64| t + period <= begin + elapsed * (1.0 + SAME);
+    let stride = orbit.steps.len().div_ceil(PLACES).max(1);
+    orbit.steps.iter().step_by(stride).filter(|s| s.start.high == begin || within(s.start.high)).all(|step| {
+        let (t, n) = (step.start.high, orbit.first.len());
+        let x: Vec<f64> = (0..n).map(|i| step.start_value(i)).collect();
+        // by the motion where it is known for so long, else by its mean
+        let far = within(t).then(|| orbit.state_at((t + period).min(begin + elapsed)));
+        let gain = |i: usize| far.as_ref().map_or((orbit.last[i] - orbit.first[i]) / elapsed * period, |y| y[i] - x[i]);
+        let gains: Vec<f64> = (0..n).map(|i| gain(i) - carried[i] * period).collect();
+        let nearby = if far.is_some() { &[0.0][..] } else { &[0.0, 1.0, -1.0] };
+        nearby.iter().any(|more| {
+            let mut there: Vec<f64> = x.iter().zip(carried).map(|(x, v)| x + v * period).collect();
+            known.turns.add(&mut there, (&gains, *more));
+            let mut held = there.clone();
+            if system.project(t + period, &mut held, &step.modes).is_err() {
+                return false;
+            }
+            let mut change: Vec<f64> = held.iter().zip(&there).map(|(a, b)| a - b).collect();
+            known.turns.take_off(&mut change);
+            symmetry::clear_shifts(known.loose, &mut change);
+            change.iter().zip(known.scales).all(|(change, scale)| change.abs() <= SAME * scale)
+        })
+    })
 }
 
 fn unwind(turn: &Turn, change: &mut [f64]) {
@@ -75,20 +138,20 @@ pub(super) fn carried<S: System + ?Sized>(
     system: &mut S,
     (trial, elapsed): (&Orbit, f64),
     period: f64,
-    (turns, scales): (&Turns, &[f64]),
+    known: &Known<'_>,
 ) -> Result<Option<Vec<f64>>, Fault> {
     let n = system.n_coordinates();
     let standing = vec![0.0; trial.first.len()];
-    if symmetry::repeats(system, trial, (period, &standing), scales)? {
+    if repeats(system, (trial, elapsed), (period, &standing), known)? {
         return Ok(Some(standing));
     }
-    let angle = |i: &usize| !(n..2 * n).contains(i) && system.states()[*i].unit == "rad" && turns.of(*i).is_none();
+    let angle = |i: &usize| !(n..2 * n).contains(i) && system.states()[*i].unit == "rad" && known.turns.of(*i).is_none();
     let open: Vec<usize> = (0..trial.first.len()).filter(angle).collect();
     let of_motion: Vec<f64> = open.iter().map(|&i| ((trial.last[i] - trial.first[i]) / elapsed * period / TAU).round()).collect();
     for counts in [of_motion, vec![1.0; open.len()], vec![-1.0; open.len()]] {
         let mut velocities = standing.clone();
         open.iter().zip(counts).for_each(|(&i, count)| velocities[i] = count * TAU / period);
-        if velocities.iter().any(|v| *v != 0.0) && symmetry::repeats(system, trial, (period, &velocities), scales)? {
+        if velocities.iter().any(|v| *v != 0.0) && repeats(system, (trial, elapsed), (period, &velocities), known)? {
             return Ok(Some(velocities));
         }
     }
