@@ -435,7 +435,7 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     for (k, m) in regime.multipliers.iter().enumerate() {
         let words = multiplier_words(m);
         let label = Text::new(format!("multiplier {}", k + 1), format!("мультипликатор {}", k + 1));
-        let fact = Fact::new(&format!("multiplier_{}", k + 1), &format!("mu_{}", k + 1), "1", m.abs(), label);
+        let fact = Fact::new(&format!("multiplier_{}", k + 1), &format!("mu_{}", k + 1), "1", shown(m), label);
         results.facts.push(fact.with_words(words));
     }
     if let Some(tuning) = &tuning {
@@ -550,7 +550,12 @@ fn verdict(regime: &Regime) -> Text {
     }
 }
 
-/// What the magnitude in the table leaves out: sign, argument, error, or why it is 1.
+/// A real multiplier with its sign, the magnitude of another one.
+pub(super) fn shown(m: &Multiplier) -> f64 {
+    if m.im == 0.0 && m.re != 0.0 { m.re } else { m.abs() }
+}
+
+/// What the number in the table leaves out: argument, error, or why it is 1.
 pub(super) fn multiplier_words(m: &Multiplier) -> Text {
     let short = |x: f64, digits: usize| report::number::short(x, digits, words::Language::En);
     let same = |words: String| Text::new(words.clone(), words.replace('.', ","));
@@ -559,8 +564,7 @@ pub(super) fn multiplier_words(m: &Multiplier) -> Text {
         Some(log) => same(format!("±{}", power_of_ten(log / std::f64::consts::LN_10))),
         None if m.re == 0.0 && m.im == 0.0 && m.error == 0.0 => Text::default(),
         None if m.re == 0.0 && m.im == 0.0 => same(format!("0 ± {}", short(m.error, 1))),
-        None if m.im == 0.0 && m.re > 0.0 => Text::default(),
-        None if m.im == 0.0 => same(short(m.re, 6)),
+        None if m.im == 0.0 => Text::default(),
         None => same(format!("{} {} {} i", short(m.re, 6), if m.im < 0.0 { "−" } else { "+" }, short(m.im.abs(), 6))),
     }
 }

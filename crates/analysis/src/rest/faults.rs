@@ -119,10 +119,19 @@ const OPEN_EN: &str = "With dry friction a machine rests under a range of loads,
 const OPEN_RU: &str = "При сухом трении машина покоится в некотором диапазоне нагрузок, и статика не определяет неизвестное однозначно. Границы диапазона соответствуют \
     предельному равновесию: укажите в [impending], какие трения на пределе и в какую сторону по своему пути готово начаться скольжение.";
 
+/// A share by which limits are too small that three digits of their multiple do not show.
+const LITTLE: f64 = 5e-3;
+
 /// Friction that would have to be so many times as strong.
 pub(crate) fn slips(frictions: &str, times: f64) -> Fault {
     let n = rounded(times);
-    let why = if times.is_finite() {
+    let why = if times - 1.0 < LITTLE {
+        let n = rounded(times - 1.0);
+        Text::new(
+            format!("it would rest with limits of friction larger by {} of their size", n.en),
+            format!("покой был бы возможен при предельных силах трения, больших на {} их величины", n.ru),
+        )
+    } else if times.is_finite() {
         Text::new(
             format!("it would rest with limits of friction {} times as large", n.en),
             format!("покой был бы возможен при предельных силах трения, в {} раза больших", n.ru),

@@ -26,6 +26,7 @@ use words::{Message, Text};
 use crate::dataset::{Audit, Column, Dataset, Extreme};
 use crate::integrate::Step;
 use crate::integrate::taylor::{Flow, Options};
+use crate::marks::bridge::Bridge;
 use crate::marks::crossings::{self, Bracket};
 use crate::marks::extremes::Extremes;
 use crate::marks::{Along, bracketed};
@@ -69,6 +70,8 @@ const CHECK: usize = 3;
 const SHARE: f64 = 1e-3;
 /// Rounding of a sum of moments, relative to its terms.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// Change of the inertia with the angle, as a share of it, that is rounding of accelerations: beside a change point they have some eleven digits.
+const FLAT: f64 = 1e-11;
 /// Most steps of a cycle.
 const STEPS: usize = 100_000;
 
@@ -318,8 +321,17 @@ pub(super) fn place(step: &Step, j: usize, tau: f64) -> f64 {
     step.start_value(j) + step.coefficients(j)[1..].iter().rev().fold(0.0, |sum, c| (sum + c) * tau)
 }
 
-/// The reduced machine at tau in a step.
+/// The reduced machine at tau in a step. Where a change point is passed the accelerations follow from no equation, and what is smooth there from both sides.
 fn reduced<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
+    let Some(around) = step.around_change_point(tau) else { return plainly(machine, step, tau, options) };
+    let row = |r: Reduced| vec![r.inertia, r.slope, r.moment, r.terms];
+    let bridge = Bridge::new(around, |tau| plainly(machine, step, tau, options).map(row))?;
+    let rate = step.value_after(machine.own.n_coordinates() + options.angle, tau);
+    let value = |column: usize| bridge.value(column, tau).ok_or_else(no_energies);
+    Ok(Reduced { inertia: value(0)?, slope: value(1)?, moment: value(2)?, terms: value(3)?, rate })
+}
+
+fn plainly<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
     let (n, j, w) = (machine.own.n_coordinates(), options.angle, options.rate);
     let t = step.instant(tau).high;
     let n_x = machine.own.states().len();
@@ -345,9 +357,11 @@ fn reduced<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64,
     let potential = uniform.rate - kinetic;
     let terms = (uniform.loads.abs() + uniform.dissipated.abs() + potential.abs() + kinetic.abs()) / w.abs();
     let moment = (uniform.loads - uniform.dissipated - potential) / w;
+    let (inertia, slope) = ((pushed - still) / w, 2.0 * kinetic / (w * w * w));
     Ok(Reduced {
-        inertia: (pushed - still) / w,
-        slope: 2.0 * kinetic / (w * w * w),
+        inertia,
+        // of an inertia that does not change what accelerations err by is left
+        slope: if slope.abs() <= FLAT * inertia.abs() { 0.0 } else { slope },
         moment: if moment.abs() <= ROUNDING * terms { 0.0 } else { moment },
         terms,
         rate,

@@ -5,7 +5,7 @@ use super::point::{self, Care, Point};
 use super::reduction::Reduction;
 use super::show::{Shown, Words};
 use crate::machine::Machine;
-use crate::periodic::{json_of, multiplier_words};
+use crate::periodic::{json_of, multiplier_words, shown};
 use crate::provenance;
 use crate::results::{Body, Fact, Results, Rows};
 use crate::watch::Watch;
@@ -103,7 +103,7 @@ fn facts(results: &mut Results, point: &Point) {
     }
     for (k, m) in point.multipliers.iter().enumerate() {
         let label = Text::new(format!("multiplier {}", k + 1), format!("мультипликатор {}", k + 1));
-        let fact = Fact::new(&format!("multiplier_{}", k + 1), &format!("mu_{}", k + 1), "1", m.abs(), label);
+        let fact = Fact::new(&format!("multiplier_{}", k + 1), &format!("mu_{}", k + 1), "1", shown(m), label);
         results.facts.push(fact.with_words(multiplier_words(m)));
     }
 }

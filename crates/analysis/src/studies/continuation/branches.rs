@@ -81,6 +81,9 @@ pub(super) fn whole(zeros: &mut dyn Zeros, y: Vec<f64>, of: Of, (options, diagra
         if of != Of::Rest && one_of_a_family(&start) {
             return Err(switching::no_direction());
         }
+        // both directions together have so many points
+        let used = known.as_ref().map_or(0, |c| c.places.len().saturating_sub(1));
+        let options = &Options { points: options.points.saturating_sub(used).max(1), ..*options };
         let curve = followed(zeros, start, options, diagram);
         // what the file says of the period is wrong, and not the branch
         if let Some(End::Stuck(_, Some(fault))) = &curve.ends[1]

@@ -8,6 +8,7 @@ use super::zeros::{Facts, Family, Local, Sort, Zeros};
 use crate::studies::periodic::{Multiplier, tangent_of};
 use crate::{Fault, GuardKind, Machine, Mode, System};
 use algebra::eigen::general;
+use algebra::qr::{DEPENDENT, Qr};
 use words::{Message, Text};
 
 /// Step of the parameter for derivatives, as a share of its range: accelerations are known to rounding, and half of their digits is the best of a difference.
@@ -94,17 +95,41 @@ impl<'f> Rests<'f> {
             let residual = self.residual(&y, &near)?;
             let square: Vec<f64> = (0..m * m).map(|e| near.jacobian[e / m * k + e % m]).collect();
             let right: Vec<f64> = residual.iter().map(|r| -r).collect();
-            let Some(mut change) = algebra::lu::Lu::exact(&square, m).and_then(|lu| lu.solve(&right)) else { break };
+            // where nothing holds a direction the least of all changes
+            let mut change = match algebra::lu::Lu::exact(&square, m).and_then(|lu| lu.solve(&right)) {
+                Some(change) => change,
+                None => Qr::alike(&square, m, m, DEPENDENT).least_squares(&right).0,
+            };
             let largest = change.iter().fold(0.0_f64, |l, c| l.max(c.abs()));
             let share = if largest > 1.0 { 1.0 / largest } else { 1.0 };
             change.iter_mut().for_each(|c| *c *= share);
             change.push(0.0);
             y = self.moved(&y, &change, &near)?;
+            if largest.is_nan() {
+                break;
+            }
             if largest <= ENOUGH {
-                return Ok(y);
+                return if self.is_adrift(&y)? { Err(adrift()) } else { Ok(y) };
             }
         }
         Err(nowhere())
+    }
+
+    /// Whether the machine rests just as well a whole scale away, in a direction that nothing holds.
+    fn is_adrift(&mut self, y: &[f64]) -> Result<bool, Fault> {
+        let near = self.local(y)?;
+        let k = near.basis.len();
+        let m = k - 1;
+        let square: Vec<f64> = (0..m * m).map(|e| near.jacobian[e / m * k + e % m]).collect();
+        let largest = square.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+        for mut direction in Qr::alike(&square, m, m, DEPENDENT).null_space() {
+            direction.push(0.0);
+            let there = self.moved(y, &direction, &near)?;
+            if self.residual(&there, &near)?.iter().all(|r| r.abs() <= ENOUGH * largest) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 }
 
@@ -342,6 +367,25 @@ fn driven() -> Fault {
         help: Text::new(
             "follow its periodic motions: give the period, period = \"2*pi/w\"",
             "проследите её периодические движения: задайте период, period = \"2*pi/w\"",
+        ),
+    })
+}
+
+/// The machine rests in a whole family of places.
+fn adrift() -> Fault {
+    Fault::new(Message {
+        code: "S152",
+        what: Text::new(
+            "the machine rests in a whole family of places, and the branch has no direction among them",
+            "машина покоится в целом семействе положений, и ветвь не имеет среди них направления",
+        ),
+        why: Text::new(
+            "nothing holds it in some direction: it can be moved as a whole",
+            "в некотором направлении её ничто не удерживает: машину можно сместить как целое",
+        ),
+        help: Text::new(
+            "hold it, or describe it by coordinates relative to one another (y − x), without its motion as a whole",
+            "закрепите её или опишите относительными координатами (y − x), без движения как целого",
         ),
     })
 }
