@@ -265,10 +265,16 @@ impl Around<'_> {
         let terms = self.machine.terms();
         let reach = |i: usize| (0..n).map(|j| (whole[i * n + j] * q[j]).abs()).sum::<f64>();
         let sizes: Vec<f64> = (0..n).map(|i| terms[i] + reach(i)).collect();
-        // what the connections leave of the forces
-        let force: Vec<f64> = match &basis {
-            Some(z) => z.chunks(along.n.max(1)).map(|row| row.iter().zip(&along.force).map(|(z, f)| z * f).sum()).collect(),
-            None => along.force,
+        // what the connections leave of the forces, P h with P = Z (Zᵀ Z)⁻¹ Zᵀ, and of their terms: Z is no orthonormal basis
+        let (force, sizes) = match &basis {
+            Some(z) => {
+                let k = along.n;
+                let back = inverse(z, k)?;
+                let reduced: Vec<f64> = (0..k).map(|c| z.chunks(k).zip(&sizes).map(|(row, s)| row[c].abs() * s).sum()).collect();
+                let force: Vec<f64> = back.chunks(k).map(|row| dot(row, &along.force)).collect();
+                (force, back.chunks(k).map(|row| row.iter().zip(&reduced).map(|(p, s)| p.abs() * s).sum()).collect())
+            }
+            None => (along.force, sizes),
         };
         let of = |d: &Direction| {
             let sum: f64 = d.against.iter().zip(&force).map(|(v, f)| v * f).sum();
