@@ -27,6 +27,9 @@ use crate::integrate::crossings::{Change, Impact, Switch, Verdict, opposite};
 /// Most combinations that are tried one by one.
 const COMBINED: usize = 3000;
 
+/// How much later proposals are asked for, in undisturbed steps.
+const LATER: [f64; 3] = [0.0, 1e-6, 1e-3];
+
 /// Share of the loads by which a limit may be exceeded where no set of modes keeps all laws to rounding: far below the limit of the audits.
 const NEARLY: f64 = 1e-11;
 
@@ -188,6 +191,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if self.follow(&mut trail, Exchange::First) || self.try_all_combinations(&last) {
             return self.prefer(&first.0, &trail.tried);
         }
+        if self.follow_proposals(&mut trail) {
+            return self.prefer(&first.0, &trail.tried);
+        }
         // within a few roundings of a limit one trial may find it exceeded and the other no motion behind it
         self.loosen();
         (self.modes, self.leaving) = first.clone();
@@ -196,6 +202,31 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         let guard = trail.suspect.or_else(|| self.touched.iter().position(|&t| t)).or(trail.changing).unwrap_or(0);
         Err(trail.fault.unwrap_or_else(|| self.no_modes(guard)))
+    }
+
+    /// Trials that begin with the modes that the accelerations ask for, now and a little later: where everything breaks away all accelerations are still zero.
+    fn follow_proposals(&mut self, trail: &mut Trail) -> bool {
+        let may_hold = |i: usize| match self.system.guards()[i].kind {
+            GuardKind::Friction { .. } => self.touched[i] || self.modes_before[i] == Mode::Zero,
+            GuardKind::Contact { .. } => (self.touched[i] || self.modes_before[i] == Mode::Zero) && !self.rebounds[i],
+            _ => false,
+        };
+        let held: Vec<Mode> = (0..self.modes.len()).map(|i| if may_hold(i) { Mode::Zero } else { self.modes[i] }).collect();
+        let n = self.system.n_coordinates();
+        for share in LATER {
+            let ahead = share * self.natural;
+            let mut x = self.base.clone();
+            (0..n).for_each(|j| x[j] += ahead * self.base[n + j]);
+            let Some(likely) = self.system.likely(self.now.after(ahead).high, &x, &held) else { return false };
+            let mut wanted = held.clone();
+            likely.iter().for_each(|(guard, mode)| wanted[*guard] = *mode);
+            self.leaving.fill(false);
+            self.take_wishes(&held, wanted);
+            if self.follow(trail, Exchange::All) {
+                return true;
+            }
+        }
+        false
     }
 
     /// Lets limits be exceeded by a small share of the largest load of the trials until modes are decided again.
