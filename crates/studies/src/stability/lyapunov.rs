@@ -98,6 +98,19 @@ fn tell(results: &mut Results, found: &Lyapunov, states: usize) {
             "В пределах погрешности наибольший показатель равен 0: за это время возмущения не растут экспоненциально и не затухают.",
         ),
     });
+    if let Some(t) = found.opened {
+        let t = words::digits::rounded(t);
+        results.words.push(Text::new(
+            format!(
+                "A contact that was closed, or a friction that stuck, took a direction away while the exponents were counted, and gave it back at t = {} s: nothing is known of it. Give a later `settle`.",
+                t.en
+            ),
+            format!(
+                "Закрытый контакт или трение покоя уничтожили одно из направлений во время счёта показателей, а при t = {} с оно появилось снова: о нём ничего не известно. Увеличьте `settle`.",
+                t.ru
+            ),
+        ));
+    }
     if found.exponents.len() < states {
         results.words.push(Text::new(
             format!("{} of {states} exponents are known: a switch takes a direction away, or it dies too quickly to be followed.", found.exponents.len()),

@@ -196,7 +196,7 @@ struct Small {
 impl Small {
     fn at(machine: &mut Machine, x: &[f64], (scales, clocks): (&[f64], &[usize])) -> Result<Small, Fault> {
         let modes = modes(machine, x);
-        let (free, basis) = tangent_of(machine, (x, &modes), scales)?;
+        let (free, basis) = tangent_of(machine, (0.0, x, &modes), scales)?;
         let own = free.into_iter().zip(basis).filter(|(i, _)| !clocks.contains(i));
         let (free, basis) = own.unzip();
         let mut rows = Vec::new();

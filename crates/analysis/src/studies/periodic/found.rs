@@ -65,7 +65,7 @@ pub(super) enum Stride {
 /// States that can be chosen freely under the conditions, and the change of all states with each of them.
 pub(super) fn tangent<S: System + ?Sized>(
     system: &mut S,
-    (x, modes): (&[f64], &[Mode]),
+    (t, x, modes): (f64, &[f64], &[Mode]),
     scales: &[f64],
     first: Option<usize>,
     symmetry: &Symmetry,
@@ -74,7 +74,7 @@ pub(super) fn tangent<S: System + ?Sized>(
     let scales = &beside_others(system, scales)[..];
     let rows = slopes::derivative(x, scales, |place| {
         let mut place = place.to_vec();
-        system.project(0.0, &mut place, modes)?;
+        system.project(t, &mut place, modes)?;
         Ok(place)
     })?;
     // scaled: entry (i, j) is the change of state i in its scale for a change of state j in its scale
@@ -310,7 +310,7 @@ impl Found<'_> {
             }
         }
         let orbit = ended.ok_or_else(|| unsettled(1.0, 1))?;
-        let (free, basis) = tangent(system, (&orbit.first, &orbit.modes[0]), &self.scales, None, &self.symmetry)?;
+        let (free, basis) = tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.scales, None, &self.symmetry)?;
         Ok(Found { orbit, free, basis, ..self })
     }
 

@@ -36,6 +36,7 @@ pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};
 pub(in crate::studies) use shooting::{Passage, Shooting, Turned, Varied, tangent_of};
+pub(in crate::studies) use variation::CORRECTS;
 pub use verdict::NEUTRAL;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};

@@ -651,7 +651,7 @@ impl<'o> Search<'_, 'o> {
     }
 
     fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found<'o>, Fault> {
-        let (free, basis) = tangent(system, (&orbit.first, &orbit.modes[0]), &self.scales, self.state, &self.symmetry)?;
+        let (free, basis) = tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.scales, self.state, &self.symmetry)?;
         Ok(Found {
             orbit,
             scales: self.scales.clone(),

@@ -142,7 +142,7 @@ impl<'o> Shooting<'o> {
     /// *Errors*: S054 and S055 where there is no derivative, S122 over a change point.
     pub(in crate::studies) fn vary<S: System + ?Sized>(&self, system: &mut S, turned: &mut Turned<'_>) -> Result<Varied, Fault> {
         let found = &mut turned.0;
-        let (free, basis) = tangent(system, (&found.orbit.first, &found.orbit.modes[0]), &found.scales, None, &found.symmetry)?;
+        let (free, basis) = tangent(system, (0.0, &found.orbit.first, &found.orbit.modes[0]), &found.scales, None, &found.symmetry)?;
         (found.free, found.basis) = (free, basis);
         let (turn, blur) = found.turn(system)?;
         let multipliers = if blur == Blur::None { Some(spectrum(&turn, self.seed)?.multipliers) } else { None };
@@ -257,12 +257,12 @@ impl Shooting<'_> {
     }
 }
 
-/// States that connections leave free at a state, and the change of all states with each of them.
+/// States that connections leave free at a time and state, and the change of all states with each of them.
 ///
 /// *Errors*: those of the connections.
 pub(in crate::studies) fn tangent_of<S: System + ?Sized>(
     system: &mut S,
-    place: (&[f64], &[Mode]),
+    place: (f64, &[f64], &[Mode]),
     scales: &[f64],
 ) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
     tangent(system, place, scales, None, &Symmetry::default())

@@ -31,7 +31,7 @@ const STAGES: usize = 7;
 /// Error of a step, in scales, of a start that changes by one scale.
 const TOLERANCE: f64 = 1e-13;
 /// The same for one of several steps of Newton's method, which leaves about this share of the gap then; rounding of A alone may leave a hundredth of it.
-const CORRECTS: f64 = 1e-7;
+pub(in crate::studies) const CORRECTS: f64 = 1e-7;
 /// Least number of steps in a period: a flat regime says nothing of how its stiffness moves in time.
 const LEAST: f64 = 32.0;
 /// Most steps of a stretch.

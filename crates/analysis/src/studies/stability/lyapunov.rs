@@ -9,8 +9,8 @@
 //! Student's distribution. *Source*: G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980) 9-30.
 
 use crate::integrate::taylor::{Options as Tolerances, check_tolerance};
-use crate::studies::periodic::{Listener, Look, Stage, piece, tangent_of};
-use crate::{Fault, System};
+use crate::studies::periodic::{CORRECTS, Listener, Look, Piece, Stage, piece, tangent_of};
+use crate::{Fault, Guard, GuardKind, Mode, System};
 use algebra::elementary;
 use algebra::vectors::{dot, norm};
 
@@ -28,6 +28,8 @@ const LOOKED_AT: usize = 8;
 const UNTOUCHED: f64 = 1e-14;
 /// From a tenth of the time to its end a disturbance that grows like t⁴ gains 10⁴: what grows by less than the next power of ten, e^11.5, may have no exponent.
 const GROWN: f64 = 11.5;
+/// Openings of contacts, in the time that counts, from which on what they take away is taken again and again.
+const AGAIN: usize = 2;
 /// Exponents that are further apart than this in a piece, as powers of e, drown in the rounding of its matrix.
 const DROWNED: f64 = 25.0;
 
@@ -49,7 +51,7 @@ pub struct Options<'a> {
 pub struct Rate {
     /// 1/s.
     pub value: f64,
-    /// Half of the interval in which it lies with 95 % by the spread of the parts, 1/s.
+    /// Half of the interval in which it lies with 95 % by the spread of the parts, and what the digits of the matrices leave open, 1/s.
     pub error: f64,
 }
 
@@ -88,14 +90,17 @@ pub struct Lyapunov {
     pub counted: f64,
     /// Whether the motion was interrupted.
     pub partial: bool,
+    /// When a direction came back, once, that a closed contact or a friction that sticks had taken away in the time that counts: nothing is known of it.
+    pub opened: Option<f64>,
 }
 
 impl Lyapunov {
-    /// What becomes of disturbances; where a switch takes all of them away they die.
+    /// What becomes of disturbances; where a switch takes all of them away, for good or again and again, they die.
     pub fn fate(&self) -> Fate {
         match self.exponents.first() {
-            None => Fate::Die,
             Some(rate) if rate.value > rate.error && rate.value * self.counted > GROWN => Fate::Grow,
+            _ if self.opened.is_some() => Fate::Neither,
+            None => Fate::Die,
             Some(rate) if rate.value < -rate.error => Fate::Die,
             Some(_) => Fate::Neither,
         }
@@ -135,9 +140,10 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
     let most = (1.0 - TURNS_IN) * options.duration / (PARTS * PIECES) as f64;
     let (mut t, mut x) = (0.0, start.to_vec());
     let mut frame: Option<Frame> = None;
+    let mut openings = Openings::default();
     let mut stretches: Vec<Stretch> = Vec::new();
     let mut found = Lyapunov { counted: (1.0 - TURNS_IN) * options.duration, ..Lyapunov::default() };
-    let (mut states, mut number) = (0, 0);
+    let mut number = 0;
     while t < end {
         if options.listener.interrupt.is_some_and(|flag| flag.load(std::sync::atomic::Ordering::Relaxed)) {
             found.partial = true;
@@ -150,11 +156,18 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
         let until = if t < counts { (t + most).min(counts) } else { (t + most).min(end) };
         let next = piece(system, (t, &x), until, &flow, (look, Listener { told: None, ..options.listener }))?;
         if frame.is_none() {
-            let made = Frame::new(tangent_of(system, (&x, &next.modes), &next.scales)?, &next, system.n_coordinates());
-            states = made.columns.len();
-            frame = Some(made);
+            frame = Some(Frame::new(system, (t, &x), &next)?);
         }
-        let logs = frame.as_mut().map(|frame| frame.carry(&next.matrix)).unwrap_or_default();
+        let Some(frame) = &mut frame else { break };
+        if frame.is_held(system, &next.modes) {
+            let free = frame.free(system, (t, &x, &next.modes), &next.scales)?;
+            frame.onto(&free);
+            match t < counts {
+                true => extend(&mut frame.columns, free),
+                false => openings.seen(t, free.len() > frame.columns.len()),
+            }
+        }
+        let logs = frame.carry(&next.matrix);
         found.liouville = found.liouville.max(next.liouville);
         if t >= counts {
             stretches.push(Stretch { end: next.end.0, length: next.end.0 - t, logs });
@@ -162,6 +175,7 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
         (t, x) = next.end;
         number += 1;
     }
+    found.opened = openings.first.filter(|_| openings.count < AGAIN);
     let known = stretches.iter().map(|s| s.logs.len()).min().unwrap_or(0);
     found.exponents = (0..known).map_while(|k| rate(&stretches, k, (counts, end))).collect();
     let (mut sum, mut time) = (0.0, 0.0);
@@ -170,7 +184,26 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
         time += stretch.length;
         found.history.push([stretch.end, sum / time]);
     }
-    Ok((found, states))
+    Ok((found, frame.map_or(0, |frame| frame.states)))
+}
+
+/// Directions that come back while exponents are counted.
+#[derive(Default)]
+struct Openings {
+    first: Option<f64>,
+    count: usize,
+    open: bool,
+}
+
+impl Openings {
+    /// Whether more directions are free at a time than are followed.
+    fn seen(&mut self, t: f64, open: bool) {
+        if open && !self.open {
+            self.count += 1;
+            self.first = self.first.or(Some(t));
+        }
+        self.open = open;
+    }
 }
 
 /// The mean of an exponent with its error; none where it drowns in rounding.
@@ -190,26 +223,57 @@ fn rate(stretches: &[Stretch], k: usize, (from, to): (f64, f64)) -> Option<Rate>
     let means: Vec<f64> = parts.iter().filter(|part| part[1] > 0.0).map(|[sum, time]| sum / time).collect();
     let (value, count) = (sum / time, means.len() as f64);
     let spread = means.iter().map(|mean| (mean - value) * (mean - value)).sum::<f64>() / (count - 1.0).max(1.0);
-    value.is_finite().then_some(Rate { value, error: STUDENT * (spread / count).sqrt() })
+    // each matrix is known to so many digits, all of which may be off to one side
+    let digits = CORRECTS * stretches.len() as f64 / time;
+    value.is_finite().then_some(Rate { value, error: STUDENT * (spread / count).sqrt() + digits })
 }
 
 /// Orthonormal disturbances, in scales.
 struct Frame {
     scales: Vec<f64>,
     columns: Vec<Vec<f64>>,
+    /// States that are functions of time alone.
+    clocks: Vec<bool>,
+    /// Directions that are free where no contact is closed and no friction sticks.
+    states: usize,
 }
 
 impl Frame {
-    /// The directions that connections leave free, without those of states that are functions of time alone.
-    fn new((free, basis): (Vec<usize>, Vec<Vec<f64>>), first: &crate::studies::periodic::Piece, n_coordinates: usize) -> Frame {
+    /// All directions that are free at the start of a piece.
+    fn new<S: System + ?Sized>(system: &mut S, (t, x): (f64, &[f64]), first: &Piece) -> Result<Frame, Fault> {
         let n = first.scales.len();
         let untouched = |i: usize| (0..n).all(|j| (first.matrix[i * n + j] - if i == j { 1.0 } else { 0.0 }).abs() <= UNTOUCHED);
-        let clock = |i: usize| i >= 2 * n_coordinates && untouched(i);
-        let own = free.iter().zip(basis).filter(|(i, _)| !clock(**i));
-        let columns = own.map(|(_, column)| column.iter().zip(&first.scales).map(|(c, s)| c / s).collect()).collect();
-        let mut frame = Frame { scales: first.scales.clone(), columns };
-        frame.orthonormal();
-        frame
+        let clocks = (0..n).map(|i| i >= 2 * system.n_coordinates() && untouched(i)).collect();
+        let mut frame = Frame { scales: first.scales.clone(), columns: Vec::new(), clocks, states: 0 };
+        let loose = |(guard, mode): (&Guard, &Mode)| if is_one_sided(&guard.kind) { Mode::Positive } else { *mode };
+        let open: Vec<Mode> = system.guards().iter().zip(&first.modes).map(loose).collect();
+        frame.states = frame.free(system, (t, x, &open), &first.scales)?.len();
+        Ok(frame)
+    }
+
+    /// The directions that connections, closed contacts and frictions that stick leave free, without those of states that are functions of time alone.
+    fn free<S: System + ?Sized>(&self, system: &mut S, place: (f64, &[f64], &[Mode]), scales: &[f64]) -> Result<Vec<Vec<f64>>, Fault> {
+        let (free, basis) = tangent_of(system, place, scales)?;
+        let own = free.iter().zip(basis).filter(|(i, _)| !self.clocks[**i]);
+        Ok(own.map(|(_, column)| column.iter().zip(&self.scales).map(|(c, s)| c / s).collect()).collect())
+    }
+
+    /// Whether fewer directions are free, or followed, than there are states.
+    fn is_held<S: System + ?Sized>(&self, system: &S, modes: &[Mode]) -> bool {
+        let shut = |(guard, mode): (&Guard, &Mode)| is_one_sided(&guard.kind) && *mode == Mode::Zero;
+        let own = self.clocks.iter().filter(|clock| !**clock).count();
+        self.columns.len() < own || system.guards().iter().zip(modes).any(shut)
+    }
+
+    /// Takes out of the disturbances what leads off the conditions. Rounding alone leads there, but what it leaves neither grows nor dies, and would outlive a disturbance that dies.
+    fn onto(&mut self, free: &[Vec<f64>]) {
+        let mut basis = Vec::new();
+        extend(&mut basis, free.to_vec());
+        for column in &mut self.columns {
+            let mut off = column.clone();
+            without(&mut off, &basis);
+            column.iter_mut().zip(off).for_each(|(c, off)| *c -= off);
+        }
     }
 
     /// The disturbances at the end of a piece, and the logarithms of their growth. What a switch takes away is no more.
@@ -229,13 +293,7 @@ impl Frame {
         let (mut logs, mut kept): (Vec<f64>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
         for mut column in std::mem::take(&mut self.columns) {
             let whole = norm(&column);
-            // once more for what rounding leaves of the first time
-            for _ in 0..2 {
-                for other in &kept {
-                    let share = dot(&column, other);
-                    column.iter_mut().zip(other).for_each(|(c, o)| *c -= share * o);
-                }
-            }
+            without(&mut column, &kept);
             let length = norm(&column);
             // what is rounding of the sums has no direction
             if length > f64::EPSILON * whole && length.is_normal() {
@@ -246,5 +304,41 @@ impl Frame {
         }
         self.columns = kept;
         logs
+    }
+}
+
+/// Takes out of a column what lies along orthonormal others; once more for what rounding leaves of the first time.
+fn without(column: &mut [f64], others: &[Vec<f64>]) {
+    for _ in 0..2 {
+        for other in others {
+            let share = dot(column, other);
+            column.iter_mut().zip(other).for_each(|(c, o)| *c -= share * o);
+        }
+    }
+}
+
+/// Whether a guard's mode of zero holds something: a contact that is closed, a friction that sticks.
+fn is_one_sided(kind: &GuardKind) -> bool {
+    matches!(kind, GuardKind::Contact { .. } | GuardKind::Friction { .. })
+}
+
+/// Adds to orthonormal columns those of the others that are not there yet, the farthest from what is there first, until they are as many.
+fn extend(columns: &mut Vec<Vec<f64>>, others: Vec<Vec<f64>>) {
+    let whole = others.len();
+    let mut left = others;
+    for column in &mut left {
+        let size = norm(column);
+        column.iter_mut().for_each(|c| *c /= size);
+    }
+    while columns.len() < whole && !left.is_empty() {
+        left.iter_mut().for_each(|column| without(column, columns));
+        let longest = (0..left.len()).fold(0, |best, k| if norm(&left[k]) > norm(&left[best]) { k } else { best });
+        let mut column = left.swap_remove(longest);
+        let size = norm(&column);
+        if !size.is_normal() {
+            return;
+        }
+        column.iter_mut().for_each(|c| *c /= size);
+        columns.push(column);
     }
 }
