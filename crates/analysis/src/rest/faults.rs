@@ -277,3 +277,11 @@ pub(crate) fn unbalanced(name: &str, force: f64, unit: &str) -> Fault {
         ),
     })
 }
+
+/// Not every choice of closed contacts was tried.
+pub(super) fn some_contacts() -> Text {
+    Text::new(
+        "the contacts are so many that not every choice of closed ones was tried: there may be more places of rest",
+        "контактов слишком много, чтобы перебрать все сочетания закрытых: возможны и другие положения равновесия",
+    )
+}

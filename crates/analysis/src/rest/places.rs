@@ -7,8 +7,10 @@
 //!   both directions to the ends of the range, through dead points (predictor along the tangent, corrector of least change);
 //! * with a range and more freedom: places along the range and, by seeded random numbers, around them, drawn onto the surface.
 //!
-//! Contacts are closed as at the start; while they are few every choice of closed ones is tried, and a place counts only where open gaps are not
-//! negative and closed contacts do not pull.
+//! Every choice of closed contacts is tried that may be needed, and a place counts only where open gaps are not negative and closed contacts do not pull. With f
+//! freedoms these are the choices of at most f contacts: where more are closed, -h = Σ λ_k ∂g_k with λ ≥ 0 has a solution with independent ∂g_k (Carathéodory).
+//! While contacts are few all choices are tried. Where even those of at most f are too many, the smallest ones are, and from each place that does not count the
+//! choice without the contacts that pull and with those that are pierced (principal pivoting, K. G. Murty, Linear Complementarity, ch. 4); a note says so.
 
 use algebra::arrange::Arrange;
 use algebra::elementary;
@@ -25,8 +27,10 @@ use algebra::qr::{self, Qr};
 use algebra::random::Random;
 use algebra::vectors::norm;
 
-/// Contacts of which every choice of closed ones is tried.
+/// Contacts of which every choice of closed ones is tried, more than the freedoms at once too: they tell where reactions are shared.
 const CONTACTS: usize = 4;
+/// Choices of closed contacts in whole sizes, and choices that follow from places that do not count.
+const CHOICES: usize = 256;
 /// Places along a range where several freedoms are left, and tries at each.
 const PLACES: usize = 49;
 const TRIES: usize = 4;
@@ -34,6 +38,8 @@ const TRIES: usize = 4;
 const STRIDE: f64 = 0.01;
 /// Distance of two places that are one, relative to the sizes of the coordinates.
 const ONE: f64 = 1e-7;
+/// Share of the coordinate of the range in a motion that does not lead along it.
+const BESIDE: f64 = 1e-9;
 /// Steps along a curve to either side.
 const STRIDES: usize = 20_000;
 
@@ -57,6 +63,10 @@ pub struct Places {
     pub list: Vec<Place>,
     /// Remarks.
     pub notes: Vec<Text>,
+    /// Whether the search along a range can have missed a place.
+    pub open: bool,
+    /// Contacts, each with a place beside which its gap changes its sign along the range.
+    touched: Vec<(usize, Vec<f64>)>,
 }
 
 /// All places that the options ask for; `start` is an assembled place.
@@ -67,13 +77,31 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
     let own = closed_contacts(equations, &start[..n], parameters)?;
     let mut found = Places::default();
     let mut wandering = Vec::new();
-    for closed in choices(equations, &own) {
+    let (mut waiting, all) = choices(equations, parameters, start, &own)?;
+    if own.len() == 1 && options.over.is_some() {
+        // once more, from where the way with all contacts open meets it
+        waiting.push(own.clone());
+    }
+    let (mut next, mut pivots) = (0, 0);
+    while let Some(closed) = waiting.get(next).cloned() {
+        next += 1;
         let parts = Parts::holding(equations, |r| closed.contains(&r)).smooth(equations);
         let system = RestSystem::new(equations, parts, parameters)?.anchored(equations, start)?;
         wandering = system.wandering();
         let angles = equations.coordinates.iter().map(|c| c.unit == "rad").collect();
-        let mut search = Search { equations, system, closed, angles, start: start[..n].to_vec(), found: &mut found };
+        let mut search = Search { equations, system, closed, angles, start: start[..n].to_vec(), found: &mut found, towards: Vec::new() };
         search.run(&start[..n], options)?;
+        search.stand_on();
+        for other in search.towards.into_iter().filter(|_| all == Choices::Small) {
+            if pivots < CHOICES && !waiting.contains(&other) {
+                waiting.push(other);
+                pivots += 1;
+            }
+        }
+    }
+    if all == Choices::Small {
+        found.open = true;
+        found.notes.push(faults::some_contacts());
     }
     if let Some(c) = wandering.first() {
         let name = &equations.conditions[*c].name;
@@ -91,16 +119,50 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
     Ok(found)
 }
 
+/// Whether every choice of closed contacts that may be needed is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Choices {
+    /// It is.
+    Needed,
+    /// Only those of few contacts.
+    Small,
+}
+
 /// Sets of closed contacts: those of the start first.
-fn choices(equations: &Equations, own: &[usize]) -> Vec<Vec<usize>> {
+fn choices(equations: &Equations, parameters: &[f64], start: &[f64], own: &[usize]) -> Result<(Vec<Vec<usize>>, Choices), Fault> {
     let is_contact = |r: &usize| matches!(equations.reactions[*r].law, symbolic::connections::Law::Contact { .. });
     let contacts: Vec<usize> = (0..equations.reactions.len()).filter(is_contact).collect();
     let mut list = vec![own.to_vec()];
     if contacts.len() <= CONTACTS {
         let set = |bits: usize| contacts.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1).map(|(_, r)| *r).collect::<Vec<usize>>();
         list.extend((0..1_usize << contacts.len()).map(set).filter(|s| s != own));
+        return Ok((list, Choices::Needed));
     }
-    list
+    let freedoms = freedoms(equations, parameters, start)?;
+    let mut sized = vec![Vec::new()];
+    for size in 0..=freedoms.min(contacts.len()) {
+        // one alone at least: with one freedom nothing else is needed
+        if size > 1 && list.len() + sized.len() > CHOICES {
+            return Ok((list, Choices::Small));
+        }
+        list.extend(sized.iter().filter(|s| *s != own).cloned());
+        let larger = |set: &Vec<usize>| {
+            let behind = set.last().map_or(0, |last| contacts.partition_point(|c| c <= last));
+            contacts[behind..].iter().map(|c| [&set[..], &[*c]].concat()).collect::<Vec<_>>()
+        };
+        sized = sized.iter().flat_map(larger).take(CHOICES + 1).collect();
+    }
+    Ok((list, Choices::Needed))
+}
+
+/// Freedoms of the machine with all contacts open.
+fn freedoms(equations: &Equations, parameters: &[f64], start: &[f64]) -> Result<usize, Fault> {
+    let n = equations.coordinates.len();
+    let parts = Parts::holding(equations, |_| false).smooth(equations);
+    let mut system = RestSystem::new(equations, parts, parameters)?.anchored(equations, start)?;
+    let z = system.z(&start[..n]);
+    let rows = system.at(&z)?;
+    Ok(tangents_of(&rows, n).len())
 }
 
 struct Search<'s> {
@@ -110,6 +172,8 @@ struct Search<'s> {
     angles: Vec<bool>,
     start: Vec<f64>,
     found: &'s mut Places,
+    /// Choices of closed contacts that follow from places that do not count.
+    towards: Vec<Vec<usize>>,
 }
 
 pub(super) fn rest_rows(rows: &Rows, _: &[f64]) -> Vec<Row> {
@@ -128,16 +192,36 @@ impl Search<'_> {
         if draw(&mut self.system, &mut on_surface, None).is_none() {
             return Ok(());
         }
-        match self.tangents(&on_surface).map(|t| t.len()) {
-            Some(0) | None => {}
-            Some(1) => {
+        let tangents = self.tangents(&on_surface).unwrap_or_default();
+        // closed contacts can leave a motion beside the range
+        let along = |t: &Vec<f64>| self.closed.is_empty() || t[range.coordinate].abs() > BESIDE;
+        match tangents.as_slice() {
+            [] => {}
+            [only] if along(only) => {
                 for side in [1.0, -1.0] {
                     self.follow(&on_surface, range, side);
                 }
             }
-            Some(_) => self.scatter(&on_surface, range),
+            _ => self.scatter(&on_surface, range),
         }
         Ok(())
+    }
+
+    /// Newton's method from where the gap of the one closed contact vanishes along the range.
+    fn stand_on(&mut self) {
+        let [closed] = self.closed[..] else { return };
+        let seeds: Vec<Vec<f64>> = self.found.touched.iter().filter(|(r, _)| *r == closed).map(|(_, q)| q.clone()).collect();
+        for seed in seeds {
+            self.newton(&seed);
+        }
+    }
+
+    /// Notes the contacts whose gaps change their sign between two places.
+    fn touch(&mut self, (before, old): (&[f64], &[f64]), (q, gaps): (&[f64], &[f64])) {
+        for (r, (a, b)) in self.system.contacts.iter().zip(old.iter().zip(gaps)).filter(|(_, (a, b))| *a * *b <= 0.0) {
+            let share = if a == b { 0.5 } else { a / (a - b) };
+            self.found.touched.push((*r, before.iter().zip(q).map(|(x, y)| x + share * (y - x)).collect()));
+        }
     }
 
     /// Newton's method from a guess; what it finds is kept when it is admissible and new.
@@ -167,12 +251,17 @@ impl Search<'_> {
         // a force that vanishes is known to nine digits of the largest
         let pulls = |c: usize| z[n + c] < -1e-9 * largest;
         let is_closed = |c: usize| self.closed.contains(&self.system.reactions[c]);
-        if (0..self.system.reactions.len()).any(|c| is_closed(c) && pulls(c)) {
-            return;
-        }
+        let pull: Vec<usize> =
+            (0..self.system.reactions.len()).filter(|c| is_closed(*c) && pulls(*c)).map(|c| self.system.reactions[c]).collect();
         let open = self.system.contacts.iter().zip(&rows.gaps).filter(|(r, _)| !self.closed.contains(r));
         // a gap that is just closed is known to nine digits of what moves it
-        if open.into_iter().any(|(_, gap)| gap.value < -1e-9 * gap_size(gap, q)) {
+        let pierced: Vec<usize> = open.filter(|(_, gap)| gap.value < -1e-9 * gap_size(gap, q)).map(|(r, _)| *r).collect();
+        if !(pull.is_empty() && pierced.is_empty()) {
+            let mut other: Vec<usize> = self.closed.iter().copied().filter(|r| !pull.contains(r)).chain(pierced).collect();
+            other.sort_unstable();
+            if !self.towards.contains(&other) {
+                self.towards.push(other);
+            }
             return;
         }
         if self.found.list.iter().any(|p| self.system.sizes().same([&p.q, q], &self.start, ONE)) {
@@ -205,9 +294,15 @@ impl Search<'_> {
         let mut q = from.to_vec();
         let mut way: Option<Vec<f64>> = None;
         let (mut before, mut earlier): (Option<(Vec<f64>, f64)>, Option<f64>) = (None, None);
+        let mut old = Vec::new();
         for count in 0..STRIDES {
             let Some(rows) = draw(&mut self.system, &mut q, None) else { return };
             let tangents = tangents_of(&rows, n);
+            let gaps: Vec<f64> = rows.gaps.iter().map(|gap| gap.value).collect();
+            if let Some((place, _)) = before.as_ref().filter(|_| self.closed.is_empty()) {
+                self.touch((place, &old), (&q, &gaps));
+            }
+            old = gaps;
             let [tangent] = tangents.as_slice() else { return };
             let along: f64 = match &way {
                 Some(way) => way.iter().zip(tangent).map(|(a, b)| a * b).sum(),
@@ -240,7 +335,7 @@ impl Search<'_> {
             q.iter_mut().zip(&tangent).for_each(|(q, t)| *q += stride * t);
             way = Some(tangent);
         }
-        self.found.notes.push(Text::new(
+        self.note(Text::new(
             "the way along the range was not followed to its end: there may be more places of rest",
             "путь вдоль диапазона пройден не до конца: возможны и другие положения равновесия",
         ));
@@ -272,10 +367,15 @@ impl Search<'_> {
                 }
             }
         }
-        let note = Text::new(
+        self.note(Text::new(
             "found by Newton's method from guesses along the range: there may be more",
             "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
-        );
+        ));
+    }
+
+    /// Says, once, that places may have been missed.
+    fn note(&mut self, note: Text) {
+        self.found.open = true;
         if !self.found.notes.contains(&note) {
             self.found.notes.push(note);
         }

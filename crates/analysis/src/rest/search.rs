@@ -98,15 +98,31 @@ const BALANCED: f64 = 1e-13;
 /// Work of a force that is rounding, relative to the largest work of one over the size of a coordinate: some dozens of roundings.
 const NOTHING: f64 = 64.0 * f64::EPSILON;
 
-pub(crate) fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
+/// How a range was searched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Searched {
+    /// Along its whole length.
+    Whole,
+    /// From guesses, or not with every choice of closed contacts.
+    Guessed,
+}
+
+pub(crate) fn nothing_between(name: &str, (from, to): (f64, f64), searched: Searched) -> Fault {
     let (a, b) = (rounded(from), rounded(to));
+    let (why_en, why_ru) = match searched {
+        Searched::Whole => ("the force along the coordinate keeps its sign there", "сила по координате там не меняет знака"),
+        Searched::Guessed => (
+            "from guesses along the range Newton's method came to none; that is no proof that there is none",
+            "из приближений вдоль диапазона метод Ньютона не нашёл ни одного; это не доказывает, что их нет",
+        ),
+    };
     Fault::new(Message {
         code: "S007",
         what: Text::new(
             format!("no equilibrium with `{name}` between {} and {}", a.en, b.en),
             format!("при `{name}` от {} до {} положений равновесия нет", a.ru, b.ru),
         ),
-        why: Text::new("the force along the coordinate keeps its sign there", "сила по координате там не меняет знака"),
+        why: Text::new(why_en, why_ru),
         help: Text::new("widen the range, or check the loads", "расширьте диапазон или проверьте нагрузки"),
     })
 }

@@ -9,7 +9,7 @@ use words::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::rest::newton::RESIDUAL;
-use crate::rest::search::{ONE, Rest, Search, Statics, nothing_between};
+use crate::rest::search::{ONE, Rest, Search, Searched, Statics, nothing_between};
 use crate::{Quantity, System};
 
 use super::simulate::Outcome;
@@ -98,7 +98,8 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         found.arrange_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
         faults.retain(|f| f.code == "S008");
         if found.is_empty() && faults.is_empty() {
-            faults.push(nothing_between(&coordinates[coordinate].name, from, to));
+            let searched = if n > 1 { Searched::Guessed } else { Searched::Whole };
+            faults.push(nothing_between(&coordinates[coordinate].name, (from, to), searched));
         }
     }
     let mut dataset = dataset(coordinates, &found, steps);

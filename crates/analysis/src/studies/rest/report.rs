@@ -22,7 +22,7 @@ use crate::rest::admissible::Holds;
 use crate::rest::limiting::limiting;
 use crate::rest::newton::{RESIDUAL, balance, worst};
 use crate::rest::places::{Place, places};
-use crate::rest::search::{Equilibrium, Range, no_equilibrium, nothing_between};
+use crate::rest::search::{Equilibrium, Range, Searched, no_equilibrium, nothing_between};
 use crate::rest::system::{Parts, RestSystem};
 use crate::rest::unknowns::Impending;
 use crate::rest::{closed_contacts, fault_of, hold, observed, path};
@@ -90,6 +90,7 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
         found = places(equations, parameters, start, &zero)?;
     }
     notes.append(&mut found.notes);
+    let searched = if found.open { Searched::Guessed } else { Searched::Whole };
     let mut rows = found.list.into_iter().map(|place| whole(studied, parameters, place)).collect::<Result<Vec<Row>, Fault>>()?;
     let shared = |r: &Row| observed::left_open(equations, &r.place.reactions, observed::Left::Shared);
     notes.extend(rows.iter().find_map(shared));
@@ -113,7 +114,7 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
     }
     if rows.is_empty() && fault.is_none() {
         fault = Some(match options.over {
-            Some(r) => nothing_between(&name(equations, r.coordinate), r.from, r.to),
+            Some(r) => nothing_between(&name(equations, r.coordinate), (r.from, r.to), searched),
             None => nowhere(equations, parameters, q),
         });
     }
