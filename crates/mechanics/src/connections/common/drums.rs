@@ -1,8 +1,9 @@
 //! Drums on which ropes wind: the angle that winds.
 //!
 //! A drum takes up r (ω - ω_run), where the run is the piece of rope between the drum and the nearest point of the path. The run turns with the body that
-//! carries the drum's axis when a point of that body is an end of the path; it does not turn where it keeps its direction. Otherwise it is unknown what the
-//! angle counts from, and the model must say it.
+//! carries the drum's axis when a point of that body, other than the axis, is an end of the path or next to the drum; it does not turn where it keeps its
+//! direction. Otherwise it is unknown what the angle counts from, and the model must say it. On a body that does not turn the motion is the same either way; the
+//! couple of the rope, which that body or the ground holds, is not.
 
 use super::faults;
 use crate::model::{Connection, FrameId, PointRef, Wound};
@@ -33,18 +34,20 @@ fn base(scene: &mut Scene, kinematics: &mut Kinematics, (drum, corners, wound): 
     let parent = carrier(scene.model, drum);
     let turns = !kinematics.frames[parent.index()].turning.is_empty();
     let plane = kinematics.frames[drum.index()].plane_angle.is_some();
-    let held = leaves_over(scene, (drum, parent), corners);
-    let counted = if plane && !turns && !held { FrameId::GROUND } else { parent };
     let hinged = is_fixed(scene, kinematics, PointRef::Origin(drum), parent);
     let moves = turns || !kinematics.jacobian(scene, PointRef::Origin(drum)).is_empty();
     let ends: Vec<usize> = if corners.is_empty() { Vec::new() } else { vec![0, corners.len() - 1] };
     let own: Vec<usize> = ends.iter().copied().filter(|i| frame_of(scene, corners[*i]) == drum).collect();
+    let runs = hinged && ends.iter().any(|i| runs_over(scene, kinematics, (drum, parent), (corners, *i)));
+    let held = runs || leaves_over(scene, (drum, parent), corners);
+    let counted = if plane && !turns && !held { FrameId::GROUND } else { parent };
     let known = if corners.is_empty() {
         hinged && (!moves || wound.iter().all(|other| carrier(scene.model, other.on) == parent))
-    } else if hinged && !moves {
-        own.iter().all(|i| is_steady(scene, kinematics, (drum, corners, *i)))
-    } else if hinged {
+    } else if hinged && turns {
         ends.iter().any(|i| is_fixed(scene, kinematics, corners[*i], parent))
+    } else if hinged {
+        let steady = own.iter().all(|i| is_steady(scene, kinematics, (drum, corners, *i)));
+        runs || steady && !(moves && own.is_empty())
     } else {
         !turns && ends.iter().any(|i| is_steady(scene, kinematics, (drum, corners, *i)))
     };
@@ -56,6 +59,19 @@ fn base(scene: &mut Scene, kinematics: &mut Kinematics, (drum, corners, wound): 
 fn leaves_over(scene: &Scene, (drum, parent): (FrameId, FrameId), corners: &[PointRef]) -> bool {
     let of_parent = |corner: Option<&PointRef>| corner.is_some_and(|c| is_of(scene, frame_of(scene, *c), (drum, parent)));
     corners.is_empty() || of_parent(corners.first()) || of_parent(corners.last())
+}
+
+/// Whether the piece of rope at an end of the path keeps its place on what carries the drum: the end is fixed there, or, where the path ends in the drum's own
+/// axis, which always is, the corner after it. The pull is then held there too.
+fn runs_over(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    (drum, parent): (FrameId, FrameId),
+    (corners, end): (&[PointRef], usize),
+) -> bool {
+    let next = if end == 0 { 1 } else { end - 1 };
+    let corner = if frame_of(scene, corners[end]) == drum { corners.get(next) } else { corners.get(end) };
+    corner.is_some_and(|corner| frame_of(scene, *corner) != drum && is_fixed(scene, kinematics, *corner, parent))
 }
 
 /// Whether a frame is `parent` or stands on it without a joint of its own; the drum does not.
