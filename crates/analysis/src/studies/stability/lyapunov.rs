@@ -164,7 +164,7 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
             frame.onto(&free);
             match t < counts {
                 true => extend(&mut frame.columns, free),
-                false => openings.seen(t, free.len() > frame.columns.len()),
+                false => openings.seen(t, (free.len(), frame.columns.len())),
             }
         }
         let logs = frame.carry(&next.matrix);
@@ -196,8 +196,9 @@ struct Openings {
 }
 
 impl Openings {
-    /// Whether more directions are free at a time than are followed.
-    fn seen(&mut self, t: f64, open: bool) {
+    /// So many directions are free at a time, and so many are followed.
+    fn seen(&mut self, t: f64, (free, followed): (usize, usize)) {
+        let open = free > followed;
         if open && !self.open {
             self.count += 1;
             self.first = self.first.or(Some(t));
