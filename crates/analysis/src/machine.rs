@@ -22,6 +22,7 @@ mod sharing;
 mod solved;
 mod strike;
 mod supplied;
+mod switches;
 mod system;
 mod ties;
 mod touches;
@@ -35,11 +36,12 @@ use words::Text;
 use crate::connections::{self, Assembly, assemble_with};
 use crate::naming::configuration;
 use crate::system::Layout;
-use crate::{Fault, Guard, Mode, Quantity};
+use crate::{Fault, Guard, Quantity};
 use conditions::Conditions;
 use flows::Flows;
 use meaning::{Refusal, impulse, is_tie, kind, layout, outputs, placements, reads_accelerations, refused, rubbing, states};
 use solved::Solved;
+use switches::Switches;
 
 /// A program with parameters, seen by studies.
 #[derive(Clone, Debug)]
@@ -123,27 +125,6 @@ struct Lowered {
     program: Arc<Program>,
     /// Of its guards.
     names: Vec<Text>,
-}
-
-/// Modes as the program has them.
-#[derive(Clone, Debug, Default)]
-struct Switches {
-    modes: Vec<Mode>,
-    /// Guards that decide something in these modes; others have no meaning.
-    active: Vec<bool>,
-    known: bool,
-}
-
-impl Switches {
-    fn set(&mut self, modes: &[Mode], bound: &Bound) {
-        let same = self.known && self.modes == modes;
-        if !same {
-            self.modes.clear();
-            self.modes.extend(modes);
-            self.active = bound.active(&self.modes);
-            self.known = true;
-        }
-    }
 }
 
 impl From<program::Fault> for Fault {

@@ -19,8 +19,8 @@ use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
 
-use super::Switches;
 use super::leap::Leap;
+use super::switches::Switches;
 use crate::{Fault, Mode, Quantity};
 use algebra::cholesky::{Cholesky, is_firm};
 use algebra::qr::Qr;

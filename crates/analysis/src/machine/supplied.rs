@@ -2,8 +2,9 @@
 
 use program::{ABREAST, Places, Point};
 
+use super::Machine;
 use super::flows::{part, reaction, roots};
-use super::{Machine, Switches};
+use super::switches::Switches;
 use crate::Mode;
 use crate::system::{Motions, Supply};
 

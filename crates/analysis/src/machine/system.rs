@@ -8,7 +8,8 @@ use words::Text;
 
 use super::conditions::Conditions;
 use super::meaning::{Refusal, reads_accelerations};
-use super::{Machine, Switches, touching};
+use super::switches::Switches;
+use super::{Machine, touching};
 use crate::system::{Bends, Corners, Layout, Motions};
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 

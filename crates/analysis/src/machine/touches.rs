@@ -3,8 +3,9 @@
 use algebra::elementary;
 use program::{Point, TouchRoots};
 
+use super::Machine;
+use super::switches::Switches;
 use super::touching::Place;
-use super::{Machine, Switches};
 use crate::system::{Touch, TouchLaw};
 
 /// Rates by which the ratio of sliding speeds is found: those of no motion in particular.
