@@ -109,6 +109,11 @@ impl<'f> Rests<'f> {
                 break;
             }
             if largest <= ENOUGH {
+                let held = square.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+                // a force that no change of place takes away
+                if residual.iter().any(|r| r.abs() > ENOUGH.sqrt() * held) {
+                    break;
+                }
                 return if self.is_adrift(&y)? { Err(adrift()) } else { Ok(y) };
             }
         }
