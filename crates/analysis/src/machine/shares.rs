@@ -38,8 +38,11 @@ impl Machine {
         let column = |guard: &usize| acting.iter().position(|a| a.guard == Some(*guard));
         let relieved: Vec<usize> = relieved.iter().filter_map(column).collect();
         let corners = hold.corners(&relieved);
-        let assign = |reactions: &Vec<f64>| conditions.corner(&rows, (&acting, &hold), reactions);
-        let corners: Vec<Corner> = corners.iter().filter_map(assign).collect();
+        // where more limits are met than have to be, what is about to be unloaded is left to the others, or carries
+        let reversed: Vec<usize> = rows.iter().rev().copied().collect();
+        let assign = |reactions: &Vec<f64>| [&rows, &reversed].map(|rows| conditions.corner(rows, (&acting, &hold), reactions));
+        let mut corners: Vec<Corner> = corners.iter().flat_map(assign).flatten().collect();
+        corners.dedup();
         let list = corners.into_iter().map(|corner| Corner { idle: self.with_sides(corner.idle), ..corner }).collect();
         Some(Corners { list, exact })
     }
