@@ -16,8 +16,9 @@ use super::open::{Pressed, with_sliding};
 use crate::Mode;
 use program::Point;
 
-/// Sweeps, and the change relative to the largest reaction at which they end.
+/// Most sweeps: they converge by a ratio each.
 const SWEEPS: usize = 4000;
+/// Change relative to the largest reaction at which they end: some hundred roundings.
 const SETTLED: f64 = 1e-13;
 /// Share of the largest reaction or acceleration below which one is none.
 const NOTHING: f64 = 1e-9;
