@@ -36,6 +36,15 @@ pub(super) struct Acting {
     kind: Kind,
 }
 
+/// What acts, and what of it is open.
+struct Freedom {
+    acting: Vec<Acting>,
+    /// Reactions under a unit of each.
+    ways: Vec<Vec<f64>>,
+    /// Combinations that do nothing.
+    free: Vec<Vec<f64>>,
+}
+
 /// What presses a friction.
 pub(super) struct Pressed {
     pub(super) kinetic: f64,
@@ -217,17 +226,11 @@ impl Machine {
     pub(super) fn limits_of_acting(&mut self, (t, x): (f64, &[f64])) -> Result<Option<Limits>, Fault> {
         let inputs = self.accelerations.clone();
         let pressing = self.pressing((t, x), &inputs);
+        let reactions = &inputs[self.bound.program().coordinates..];
         let laws = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
         let shares = self.balances.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
-        let program = self.bound.program();
-        let reactions = &inputs[program.coordinates..];
         let Some(conditions) = &self.conditions else { return Ok(None) };
-        let modes = &self.observing.modes;
-        let acting = conditions.acting(modes, &program.hidden);
-        let sliding = conditions.sliding(modes, (&laws, reactions), &self.sharing);
-        let columns: Vec<Vec<f64>> =
-            acting.iter().map(|a| conditions.effect(&with_sliding(a.reaction, program.reactions, &sliding), &shares)).collect();
-        let free = null_space(&columns);
+        let Freedom { acting, free, .. } = self.freedom(conditions, (&laws, &shares), reactions);
         if free.is_empty() {
             return Ok(None);
         }
@@ -237,6 +240,17 @@ impl Machine {
         let of = |a: &Acting| pressing.iter().find(|(r, _)| *r == a.reaction).is_none_or(|(_, pressed)| pressed.single);
         let exact = acting.iter().all(of);
         Ok(Some(Limits { acting, hold, exact }))
+    }
+
+    /// What acts in the modes of `observing` beside these reactions, what each does with the frictions that slide under it, and the combinations that do nothing.
+    fn freedom(&self, conditions: &Conditions, (laws, shares): (&[f64], &[f64]), reactions: &[f64]) -> Freedom {
+        let program = self.bound.program();
+        let modes = &self.observing.modes;
+        let acting = conditions.acting(modes, &program.hidden);
+        let sliding = conditions.sliding(modes, (laws, reactions), &self.sharing);
+        let ways: Vec<Vec<f64>> = acting.iter().map(|a| with_sliding(a.reaction, program.reactions, &sliding)).collect();
+        let columns: Vec<Vec<f64>> = ways.iter().map(|way| conditions.effect(way, shares)).collect();
+        Freedom { acting, free: null_space(&columns), ways }
     }
 
     /// What presses each friction with these accelerations and reactions, by reaction: the resultant along its own direction, as a linear form about them.
@@ -268,12 +282,8 @@ impl Machine {
         let program = self.bound.program();
         let Some(conditions) = &mut self.conditions else { return Ok(open_supports(&program.hidden, program.reactions, &shares)) };
         conditions.evaluate(t, x)?;
-        let modes = &self.observing.modes;
-        let acting = conditions.acting(modes, &program.hidden);
-        let sliding = conditions.sliding(modes, (&laws, reactions), &self.sharing);
-        let ways: Vec<Vec<f64>> = acting.iter().map(|a| with_sliding(a.reaction, program.reactions, &sliding)).collect();
-        let columns: Vec<Vec<f64>> = ways.iter().map(|way| conditions.effect(way, &shares)).collect();
-        let free = null_space(&columns);
+        let Some(conditions) = &self.conditions else { return Ok(None) };
+        let Freedom { acting, ways, free } = self.freedom(conditions, (&laws, &shares), reactions);
         if free.is_empty() {
             return Ok(None);
         }
