@@ -10,6 +10,7 @@ mod hidden;
 mod impact;
 mod impulses;
 mod jolt;
+mod kept;
 mod known;
 mod leap;
 mod likely;

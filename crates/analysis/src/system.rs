@@ -602,6 +602,23 @@ pub trait System {
         Ok(0.0)
     }
 
+    /// The same, where conditions on rates keep what they have kept since the state `from` of the same machine (its time, its states), if they are the derivative of something:
+    /// wheels in mesh stay in the mesh in which they were mounted.
+    ///
+    /// *Errors*: as [`System::project`].
+    fn rejoin(&mut self, t: f64, x: &mut [f64], modes: &[Mode], from: (f64, &[f64])) -> Result<f64, Fault> {
+        let _ = from;
+        self.project(t, x, modes)
+    }
+
+    /// What conditions on rates have gained since the state `from`, SI: zero along a motion. Zero also for a condition that has a place, or is the derivative of nothing.
+    ///
+    /// *Errors*: a formula has no value on the way.
+    fn kept(&mut self, t: f64, x: &[f64], modes: &[Mode], from: (f64, &[f64])) -> Result<Vec<f64>, Fault> {
+        let _ = (t, x, modes, from);
+        Ok(Vec::new())
+    }
+
     /// What the last [`System::project`] found, condition by condition: violation and size of the terms that meet in it, of places and of rates.
     fn drifts(&self) -> &[[f64; 2]] {
         &[]

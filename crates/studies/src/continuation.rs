@@ -18,7 +18,7 @@ use crate::results::finite::checked;
 use crate::results::{Fact, Rows};
 use crate::watch::{Lap, Watch};
 use analysis::studies::continuation::{Diagram, Family, Options, Second, backbone, regimes, rests};
-use analysis::studies::periodic::{Listener, Periodic, Return};
+use analysis::studies::periodic::{Listener, Periodic};
 use asked::{BACKBONE, Beside, Branched, Followed};
 use family::Bound;
 use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Value, Way, Words};
@@ -301,13 +301,10 @@ fn diagram(machine: &Machine, study: &Branched, watch: &mut Watch) -> Result<Dia
             }
             // from here on with the numbers alone
             let mut family = Bound::new(machine, study);
-            let by = match (asked.section, asked.period) {
-                (periodic::Section::Time, Some(period)) => Return::Period(period),
-                _ => Return::Automatic,
-            };
+            let (by, returns) = periodic::returns(&asked, &machine.equations);
             let tolerance = asked.tolerance.min(1e-13); // turns are differentiated: they are followed more closely than they are shown
             let listener = Listener { interrupt: watch.interrupt, told: None };
-            let options_of = Periodic { by, tolerance, listener, ..Periodic::default() };
+            let options_of = Periodic { by, returns, tolerance, listener, ..Periodic::default() };
             regimes(&mut family, &outcome.regime.start, &options_of, &options)
         }
         Followed::Rest | Followed::Free { .. } => {

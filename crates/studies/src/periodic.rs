@@ -271,20 +271,25 @@ fn in_progress(stage: Stage) -> Text {
     }
 }
 
+/// By what the motion returns, and how many times it does so in a period.
+pub(super) fn returns(study: &Periodic, equations: &symbolic::Equations) -> (Return, usize) {
+    match (study.section, study.period) {
+        (Section::Time, Some(period)) => (Return::Period(period), 1),
+        (Section::Turns { angle, turns }, _) => {
+            let name = equations.graph.symbol_info(angle).name.clone();
+            (Return::State(name), (turns.abs().round() as usize).max(1))
+        }
+        _ => (Return::Automatic, 1),
+    }
+}
+
 /// The regime found from a state.
 pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut Watch) -> Outcome {
     let formula = match study.section {
         Section::Zero(expr) => Some(of_state(&machine.equations, expr)),
         _ => None,
     };
-    let (by, returns) = match (study.section, study.period) {
-        (Section::Time, Some(period)) => (Return::Period(period), 1),
-        (Section::Turns { angle, turns }, _) => {
-            let name = machine.equations.graph.symbol_info(angle).name.clone();
-            (Return::State(name), (turns.abs().round() as usize).max(1))
-        }
-        _ => (Return::Automatic, 1),
-    };
+    let (by, returns) = returns(study, &machine.equations);
     let grid = match &study.times {
         Times::Automatic => Grid::Auto,
         Times::Every(step) => Grid::Every(*step),

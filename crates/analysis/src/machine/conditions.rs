@@ -19,6 +19,7 @@ use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
 
+use super::kept::Kept;
 use super::leap::Leap;
 use super::switches::Switches;
 use crate::{Fault, Mode, Quantity};
@@ -51,7 +52,7 @@ const REACHED: f64 = 1e-9;
 /// The conditions of a machine.
 #[derive(Clone, Debug)]
 pub(super) struct Conditions {
-    evaluator: Evaluator,
+    pub(super) evaluator: Evaluator,
     pub(super) roots: ConnectionRoots,
     pub(super) laws: Evaluator,
     pub(super) law_roots: LawRoots,
@@ -75,7 +76,9 @@ pub(super) struct Conditions {
     angles: Vec<bool>,
     pub(super) values: Vec<f64>,
     /// The modes of the flow: the sides on which formulas of places stand where a switch of theirs is on its surface.
-    sides: Switches,
+    pub(super) sides: Switches,
+    /// Places of conditions on rates.
+    pub(super) kept: Kept,
     /// Rows in force.
     pub(super) active: Vec<usize>,
     /// Largest terms of each row's place so far: in some positions all levers vanish.
@@ -95,8 +98,8 @@ pub(super) struct Conditions {
 /// A condition that takes part.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
-    condition: usize,
-    has_place: bool,
+    pub(super) condition: usize,
+    pub(super) has_place: bool,
     pub(super) reaction: Option<usize>,
     pub(super) holds: Holds,
     /// The guard that says whether its equation stands or others carry it; none where that is not asked.
@@ -171,6 +174,7 @@ impl Conditions {
             angles: equations.coordinates.iter().map(|c| c.unit == "rad").collect(),
             values: Vec::new(),
             sides: Switches::default(),
+            kept: Kept::default(),
             active: Vec::with_capacity(rows.len()),
             arms: vec![0.0; rows.len()],
             spans: vec![0.0; rows.len()],
@@ -205,6 +209,7 @@ impl Conditions {
     }
 
     fn evaluate_on_side(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        self.count(t, x)?;
         let sides = std::mem::take(&mut self.sides);
         let point = Point { time: t, states: x, modes: Some(&sides.modes), active: Some(&sides.active), ..Point::default() };
         let done = self.evaluate_at(&point);
@@ -225,7 +230,11 @@ impl Conditions {
     }
 
     fn place(&self, row: usize) -> f64 {
-        if self.rows[row].has_place { self.values[self.roots.places.start + self.rows[row].condition] } else { 0.0 }
+        match self.rows[row].has_place {
+            true => self.values[self.roots.places.start + self.rows[row].condition],
+            false if self.counts(row) => self.kept.places[row],
+            false => 0.0,
+        }
     }
 
     pub(super) fn rate(&self, row: usize) -> f64 {

@@ -370,6 +370,14 @@ impl System for Machine {
         self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.project(t, x, (modes, &self.bound)))
     }
 
+    fn rejoin(&mut self, t: f64, x: &mut [f64], modes: &[Mode], from: (f64, &[f64])) -> Result<f64, Fault> {
+        self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.rejoin((t, x), (modes, &self.bound), from))
+    }
+
+    fn kept(&mut self, t: f64, x: &[f64], modes: &[Mode], from: (f64, &[f64])) -> Result<Vec<f64>, Fault> {
+        self.conditions.as_mut().map_or_else(|| Ok(Vec::new()), |conditions| conditions.kept_at((t, x), (modes, &self.bound), from))
+    }
+
     fn margin(&mut self, t: f64, x: &[f64]) -> Option<f64> {
         self.conditions.as_mut()?.margin(t, x)
     }

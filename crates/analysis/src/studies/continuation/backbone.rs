@@ -253,7 +253,8 @@ impl Zeros for Free<'_, '_> {
             y.iter_mut().zip(column).zip(&near.scales).for_each(|((y, b), s)| *y += c * b * s);
         }
         let n = self.shooting.scales().len();
-        self.shooting.project(self.machine, &mut y[..n])?;
+        let assembled = self.machine.start()?;
+        self.shooting.seat(self.machine, &mut y[..n], &assembled)?;
         Ok(y)
     }
 

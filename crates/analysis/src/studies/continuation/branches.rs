@@ -17,7 +17,9 @@ use algebra::elementary;
 /// *Errors*: there is no regime to begin with, S151 where it repeats in a moving frame only, and those of the family.
 pub fn regimes(family: &mut dyn Family, start: &[f64], periodic: &Periodic<'_>, options: &Options<'_>) -> Result<Diagram, Fault> {
     let (machine, _) = family.at(options.start)?;
-    let shooting = Shooting::new(machine, start, periodic)?;
+    let mut shooting = Shooting::new(machine, start, periodic)?;
+    let assembled = machine.start()?;
+    shooting.assembled(machine, &assembled)?;
     if shooting.drifts() {
         return Err(switching::drifts());
     }

@@ -75,7 +75,8 @@ impl<'o> Orbits<'_, 'o> {
         let n = self.shooting.scales().len();
         let mut y = y.to_vec();
         let (machine, _) = self.family.at(y[y.len() - 1])?;
-        self.shooting.project(machine, &mut y[..n])?;
+        let assembled = machine.start()?;
+        self.shooting.seat(machine, &mut y[..n], &assembled)?;
         Ok(y)
     }
 
@@ -200,7 +201,8 @@ impl Zeros for Orbits<'_, '_> {
         }
         let n = self.shooting.scales().len();
         let (machine, _) = self.family.at(y[y.len() - 1])?;
-        self.shooting.project(machine, &mut y[..n])?;
+        let assembled = machine.start()?;
+        self.shooting.seat(machine, &mut y[..n], &assembled)?;
         Ok(y)
     }
 

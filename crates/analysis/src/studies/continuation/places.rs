@@ -158,7 +158,8 @@ impl Rests<'_> {
         let (last, mut y) = (y.len() - 1, y.to_vec());
         let (machine, _) = self.family.at(y[last])?;
         let (n, modes) = (machine.n_coordinates(), modes(machine, &y[..last]));
-        machine.project(0.0, &mut y[..last], &modes)?;
+        let assembled = machine.start()?;
+        machine.rejoin(0.0, &mut y[..last], &modes, (0.0, &assembled))?;
         y[n..2 * n].fill(0.0);
         Ok(y)
     }

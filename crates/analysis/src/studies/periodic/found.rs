@@ -36,6 +36,8 @@ const PARTS: usize = 12;
 /// A turn that closes.
 pub(super) struct Found<'o> {
     pub(super) orbit: Orbit,
+    /// Number of coordinates.
+    pub(super) coordinates: usize,
     pub(super) scales: Vec<f64>,
     pub(super) symmetry: Symmetry,
     /// Translations of the laws alone, whether the conditions allow them or not.
@@ -74,7 +76,7 @@ pub(super) fn tangent<S: System + ?Sized>(
     let scales = &beside_others(system, scales)[..];
     let rows = slopes::derivative(x, scales, |place| {
         let mut place = place.to_vec();
-        system.project(t, &mut place, modes)?;
+        system.rejoin(t, &mut place, modes, (t, x))?;
         Ok(place)
     })?;
     // scaled: entry (i, j) is the change of state i in its scale for a change of state j in its scale
@@ -82,6 +84,7 @@ pub(super) fn tangent<S: System + ?Sized>(
     let weight = |i: usize| match first {
         Some(state) if state == i => 1e3,
         _ if symmetry.shifts.iter().any(|(pivot, _)| *pivot == i) => 1e2,
+        _ if symmetry.followers.iter().any(|(pivot, _)| *pivot == i) => 0.0,
         _ => 1.0,
     };
     let transposed: Vec<f64> = (0..n * n).map(|k| p[(k % n) * n + k / n] * weight(k % n)).collect();
@@ -149,9 +152,12 @@ impl Found<'_> {
         self.free.iter().copied().filter(|&i| Some(i) != section && !pivot(i)).collect()
     }
 
-    /// Largest gap in scales.
+    /// Largest gap in scales: of what has to come back, and of what follows from it but for whole turns. A wheel in mesh with one that has made a turn may stand elsewhere.
     pub(super) fn miss(&self, gap: &[f64], section: Option<usize>) -> f64 {
-        self.returning(section).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max)
+        let free = self.returning(section).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max);
+        let linear = |i: usize| self.free.iter().zip(&self.basis).map(|(&k, column)| column[i] * gap[k]).sum::<f64>();
+        let followed = if self.free.len() < gap.len() { self.coordinates } else { 0 };
+        (0..followed).map(|i| (gap[i] - linear(i)).abs() / self.scales[i]).fold(free, f64::max)
     }
 
     /// The end of the turn, as the start of another one.

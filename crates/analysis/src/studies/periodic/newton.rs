@@ -246,7 +246,7 @@ const TIDY: f64 = 1e-13;
 /// The start of a turn after a correction.
 fn moved<S: System + ?Sized>(system: &mut S, found: &Found<'_>, step: &[f64]) -> Result<Vec<f64>, Fault> {
     let mut x: Vec<f64> = found.orbit.first.iter().zip(step).map(|(x, d)| x + d).collect();
-    system.project(0.0, &mut x, &found.orbit.modes[0])?;
+    system.rejoin(0.0, &mut x, &found.orbit.modes[0], (0.0, &found.orbit.first))?;
     Ok(x)
 }
 
@@ -438,8 +438,7 @@ fn prepare<'s, 'o, S: System + ?Sized>(
     let rests = search.symmetry.frame.as_ref().is_some_and(|frame| still(&trial, frame, &search.scales));
     if let (true, Return::Period(_)) = (rests, &options.by) {
         // a machine at rest repeats after any time: the one that is given
-        search.symmetry.frame = None;
-        search.symmetry.shifts = Vec::new();
+        search.symmetry = Symmetry::default();
     }
     match (&search.symmetry.frame, &options.by) {
         (None, Return::Period(period)) => {
@@ -491,6 +490,7 @@ fn begin<'s, 'o, S: System + ?Sized>(
     };
     let symmetry = symmetry::find(system, trial, &first_scales, named, Reach::Possible)?;
     let loose = symmetry::find(system, trial, &first_scales, named, Reach::Any)?;
+    let symmetry = symmetry.followed(&loose, &first_scales);
     let scales = scales(system, trial, symmetry.frame.as_ref(), &floor);
     let turns = Turns::find(system, trial, &scales)?;
     let search = Search {
@@ -654,6 +654,7 @@ impl<'o> Search<'_, 'o> {
         let (free, basis) = tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.scales, self.state, &self.symmetry)?;
         Ok(Found {
             orbit,
+            coordinates: system.n_coordinates(),
             scales: self.scales.clone(),
             symmetry: self.symmetry.clone(),
             loose: self.loose.clone(),

@@ -19,6 +19,8 @@ pub(in crate::studies) struct Shooting<'o> {
     found: Found<'o>,
     flow: Options,
     seed: u64,
+    /// Whole turns of the states at the start since the machine was assembled.
+    wound: Vec<f64>,
 }
 
 /// A turn of given length.
@@ -47,7 +49,22 @@ impl<'o> Shooting<'o> {
     pub(in crate::studies) fn new<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Self, Fault> {
         let found = newton::solve(system, start, options)?;
         let flow = Options { tolerance: options.tolerance, span: found.orbit.period, ..Options::default() };
-        Ok(Shooting { found, flow, seed: options.seed })
+        let wound = vec![0.0; start.len()];
+        Ok(Shooting { found, flow, seed: options.seed, wound })
+    }
+
+    /// Counts conditions on rates from this state, as which the machine was assembled; between it and the regime are whole turns, or what stays as it is.
+    ///
+    /// *Errors*: a formula of connections without a value on the way.
+    pub(in crate::studies) fn assembled<S: System + ?Sized>(&mut self, system: &mut S, state: &[f64]) -> Result<(), Fault> {
+        let Found { orbit, turns, .. } = &self.found;
+        let mut kept = |x: &[f64]| system.kept(0.0, x, &orbit.modes[0], (0.0, state));
+        let gained = kept(&orbit.first)?;
+        if gained.iter().any(|c| *c != 0.0) {
+            let apart = || orbit.first.iter().zip(state).map(|(x, begin)| x - begin).collect();
+            self.wound = turns.wound(state, &gained, &mut kept)?.unwrap_or_else(apart);
+        }
+        Ok(())
     }
 
     /// Small motions beside a place of rest, whose period is near a given one.
@@ -61,10 +78,11 @@ impl<'o> Shooting<'o> {
     ) -> Result<Self, Fault> {
         let flow = Options { tolerance: options.tolerance, span: period, ..Options::default() };
         let modes = Flow::start(system, 0.0, x, &flow)?.modes().to_vec();
-        let symmetry = Symmetry { frame: Some(vec![0.0; x.len()]), shifts: Vec::new() };
+        let symmetry = Symmetry { frame: Some(vec![0.0; x.len()]), ..Symmetry::default() };
         let orbit = Orbit { first: x.to_vec(), last: x.to_vec(), period, modes: [modes.clone(), modes], ..Orbit::default() };
         let found = Found {
             orbit,
+            coordinates: system.n_coordinates(),
             scales: scales.to_vec(),
             loose: symmetry.clone(),
             symmetry,
@@ -75,7 +93,8 @@ impl<'o> Shooting<'o> {
             shrunk: false,
             listener: options.listener,
         };
-        Ok(Shooting { found, flow, seed: options.seed })
+        let wound = vec![0.0; x.len()];
+        Ok(Shooting { found, flow, seed: options.seed, wound })
     }
 
     /// State at the start and period.
@@ -118,6 +137,7 @@ impl<'o> Shooting<'o> {
         let (orbit, _) = follow(system, x, &[Section::Time(period)], limit, &flow)?.ok_or_else(|| super::faults::unsettled(1.0, 1))?;
         Ok(Turned(Found {
             orbit,
+            coordinates: self.found.coordinates,
             scales: self.found.scales.clone(),
             symmetry: self.found.symmetry.clone(),
             loose: self.found.loose.clone(),
@@ -130,11 +150,12 @@ impl<'o> Shooting<'o> {
         }))
     }
 
-    /// Puts a start back onto the conditions of connections.
+    /// Puts a start back onto the conditions of connections of a machine that was assembled so.
     ///
     /// *Errors*: they cannot be met nearby.
-    pub(in crate::studies) fn project<S: System + ?Sized>(&self, system: &mut S, x: &mut [f64]) -> Result<(), Fault> {
-        system.project(0.0, x, &self.found.orbit.modes[0]).map(|_| ())
+    pub(in crate::studies) fn seat<S: System + ?Sized>(&self, system: &mut S, x: &mut [f64], assembled: &[f64]) -> Result<(), Fault> {
+        let from: Vec<f64> = assembled.iter().zip(&self.wound).map(|(x, turns)| x + turns).collect();
+        system.rejoin(0.0, x, &self.found.orbit.modes[0], (0.0, &from)).map(|_| ())
     }
 
     /// What becomes of small changes.

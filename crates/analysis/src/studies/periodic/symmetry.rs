@@ -24,6 +24,37 @@ pub(super) struct Symmetry {
     pub(super) frame: Option<Vec<f64>>,
     /// Directions at one instant, by state: each has 1 at its pivot, and 0 at the pivots of the others.
     pub(super) shifts: Vec<(usize, Vec<f64>)>,
+    /// Directions that the laws do not feel and that connections do not leave free, alike: where a wheel has rolled to follows from its angle, and need not come back with it.
+    pub(super) followers: Vec<(usize, Vec<f64>)>,
+}
+
+impl Symmetry {
+    /// With what is left of all translations that the laws do not feel beside those that connections leave free.
+    pub(super) fn followed(mut self, loose: &Symmetry, scales: &[f64]) -> Symmetry {
+        let mut left: Vec<Vec<f64>> =
+            loose.shifts.iter().map(|(_, shift)| shift.iter().zip(scales).map(|(v, s)| v / s).collect()).collect();
+        for (pivot, shift) in &self.shifts {
+            for direction in &mut left {
+                let amount = direction[*pivot] * scales[*pivot];
+                direction.iter_mut().zip(shift).zip(scales).for_each(|((d, v), s)| *d -= amount * v / s);
+                direction[*pivot] = 0.0;
+            }
+        }
+        for direction in &mut left {
+            let size = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            direction.iter_mut().filter(|_| size > 0.0).for_each(|v| *v /= size);
+        }
+        while let Some(pivot) = left.iter().flat_map(|d| d.iter().enumerate()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|e| e.0) {
+            let Some(direction) = eliminate(&mut left, pivot, |d, k| d[k].abs()) else { break };
+            let shift: Vec<f64> = direction.iter().zip(scales).map(|(d, s)| d * s / scales[pivot]).collect();
+            for (_, other) in &mut self.followers {
+                let factor = other[pivot];
+                other.iter_mut().zip(&shift).for_each(|(o, s)| *o -= factor * s);
+            }
+            self.followers.push((pivot, shift));
+        }
+        self
+    }
 }
 
 /// Which translations count.
@@ -155,9 +186,9 @@ fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], perio
 /// Adds rows that vanish for directions in which the machine can be moved: the projection on the conditions leaves them as they are.
 fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], period: f64, table: &mut Table) -> Result<(), Fault> {
     let Sample { t, x, modes, .. } = &table.samples[sample];
-    let mut moved = |t: f64, place: &[f64]| {
+    let mut moved = |time: f64, place: &[f64]| {
         let mut place = place.to_vec();
-        system.project(t, &mut place, modes)?;
+        system.rejoin(time, &mut place, modes, (*t, x))?;
         Ok(place)
     };
     let by_state = derivative(x, scales, |place| moved(*t, place))?;
@@ -234,7 +265,7 @@ fn samples<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) ->
 
 /// Takes the translations out of a change.
 pub(super) fn clear_shifts(symmetry: &Symmetry, change: &mut [f64]) {
-    for (pivot, shift) in &symmetry.shifts {
+    for (pivot, shift) in symmetry.shifts.iter().chain(&symmetry.followers) {
         let amount = change[*pivot];
         change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
     }

@@ -10,6 +10,7 @@
 use super::orbit::Orbit;
 use super::symmetry::{self, Symmetry};
 use crate::{Fault, System};
+use algebra::qr::{DEPENDENT, Qr};
 use std::f64::consts::TAU;
 
 /// Most turns of the first of several angles that are tried together.
@@ -60,6 +61,34 @@ impl Turns {
         wound.into_iter().for_each(|turn| unwind(turn, x));
     }
 
+    /// Whole turns, by state, that give conditions on rates what they have gained since the start; none where whole turns do not.
+    ///
+    /// *Errors*: those of `kept`, which says what a state has gained.
+    pub(super) fn wound(
+        &self,
+        start: &[f64],
+        gained: &[f64],
+        kept: &mut impl FnMut(&[f64]) -> Result<Vec<f64>, Fault>,
+    ) -> Result<Option<Vec<f64>>, Fault> {
+        let (rows, columns) = (gained.len(), self.0.len());
+        let after = |counts: &[f64]| {
+            let mut x = start.to_vec();
+            self.0.iter().zip(counts).for_each(|(turn, times)| turn.iter().for_each(|(i, n)| x[*i] += times * n * TAU));
+            x
+        };
+        let mut by = Vec::with_capacity(columns);
+        for turn in 0..columns {
+            let counts: Vec<f64> = (0..columns).map(|k| if k == turn { 1.0 } else { 0.0 }).collect();
+            by.push(kept(&after(&counts))?);
+        }
+        let matrix: Vec<f64> = (0..rows * columns).map(|k| by[k % columns][k / columns]).collect();
+        let counts: Vec<f64> = Qr::alike(&matrix, rows, columns, DEPENDENT).least_squares(gained).0.iter().map(|c| c.round()).collect();
+        let there = after(&counts);
+        let size = by.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let left = kept(&there)?.iter().zip(gained).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        Ok((left <= SAME * size).then(|| there.iter().zip(start).map(|(a, b)| a - b).collect()))
+    }
+
     /// Adds the whole turns that are nearest to what the states gain, and so many more of each.
     fn add(&self, x: &mut [f64], (gains, more): (&[f64], f64)) {
         for turn in &self.0 {
@@ -108,19 +137,27 @@ fn kept<S: System + ?Sized>(system: &mut S, (orbit, elapsed): (&Orbit, f64), (pe
         let far = within(t).then(|| orbit.state_at((t + period).min(begin + elapsed)));
         let gain = |i: usize| far.as_ref().map_or((orbit.last[i] - orbit.first[i]) / elapsed * period, |y| y[i] - x[i]);
         let gains: Vec<f64> = (0..n).map(|i| gain(i) - carried[i] * period).collect();
-        let nearby = if far.is_some() { &[0.0][..] } else { &[0.0, 1.0, -1.0] };
-        nearby.iter().any(|more| {
-            let mut there: Vec<f64> = x.iter().zip(carried).map(|(x, v)| x + v * period).collect();
-            known.turns.add(&mut there, (&gains, *more));
-            let mut held = there.clone();
-            if system.project(t + period, &mut held, &step.modes).is_err() {
-                return false;
-            }
-            let mut change: Vec<f64> = held.iter().zip(&there).map(|(a, b)| a - b).collect();
+        let from = far.as_ref().map_or((t, &x[..]), |y| (t + period, &y[..]));
+        let carried: Vec<f64> = x.iter().zip(carried).map(|(x, v)| x + v * period).collect();
+        let mut change = |there: &[f64]| -> Option<Vec<f64>> {
+            let mut held = there.to_vec();
+            system.rejoin(t + period, &mut held, &step.modes, from).ok()?;
+            Some(held.iter().zip(there).map(|(a, b)| a - b).collect())
+        };
+        let mut keeps = |there: &[f64]| {
+            let Some(mut change) = change(there) else { return false };
             known.turns.take_off(&mut change);
             symmetry::clear_shifts(known.loose, &mut change);
             change.iter().zip(known.scales).all(|(change, scale)| change.abs() <= SAME * scale)
-        })
+        };
+        let nearby = if far.is_some() { &[0.0][..] } else { &[0.0, 1.0, -1.0] };
+        let turned = |more: &f64| {
+            let mut there = carried.clone();
+            known.turns.add(&mut there, (&gains, *more));
+            there
+        };
+        // those that the motion gains, or none: what a wheel gains on its way to a regime need not be its turns in it
+        nearby.iter().map(turned).chain([carried.clone()]).any(|there| keeps(&there))
     })
 }
 
@@ -130,8 +167,9 @@ fn unwind(turn: &Turn, change: &mut [f64]) {
     turn.iter().for_each(|(i, n)| change[*i] -= times * n * TAU);
 }
 
-/// Velocities, by state, of the angles that make whole turns with each period of the forcing: a wheel behind a spring on a shaft with the angle w t, which the laws
-/// know by f - w t and by sin f. Those of the motion are tried, then a turn forwards and backwards; the states all stay where no turn is wanted.
+/// Velocities, by state, of what the forcing carries along: angles that make whole turns with each of its periods (a wheel behind a spring on a shaft with the angle w t, which the laws
+/// know by f - w t and by sin f), and coordinates that conditions prescribe (x = v t over a wavy road, whose waves come back after λ/v). Turns of the motion are tried, then one forwards
+/// and one backwards; the states all stay where no turn is wanted.
 ///
 /// *Errors*: none where the laws do not repeat so.
 pub(super) fn carried<S: System + ?Sized>(
@@ -145,18 +183,45 @@ pub(super) fn carried<S: System + ?Sized>(
     if repeats(system, (trial, elapsed), (period, &standing), known)? {
         return Ok(Some(standing));
     }
-    let angle = |i: &usize| !(n..2 * n).contains(i) && system.states()[*i].unit == "rad" && known.turns.of(*i).is_none();
-    let open: Vec<usize> = (0..trial.first.len()).filter(angle).collect();
-    let of_motion: Vec<f64> = open.iter().map(|&i| ((trial.last[i] - trial.first[i]) / elapsed * period / TAU).round()).collect();
-    for counts in [of_motion, vec![1.0; open.len()], vec![-1.0; open.len()]] {
+    let open: Vec<usize> = (0..trial.first.len()).filter(|i| !(n..2 * n).contains(i) && known.turns.of(*i).is_none()).collect();
+    let angles: Vec<usize> = open.iter().copied().filter(|i| system.states()[*i].unit == "rad").collect();
+    let of_motion: Vec<f64> = angles.iter().map(|&i| ((trial.last[i] - trial.first[i]) / elapsed * period / TAU).round()).collect();
+    let mut tried = Vec::new();
+    for counts in [of_motion, vec![1.0; angles.len()], vec![-1.0; angles.len()]] {
         let mut velocities = standing.clone();
-        open.iter().zip(counts).for_each(|(&i, count)| velocities[i] = count * TAU / period);
-        if velocities.iter().any(|v| *v != 0.0) && repeats(system, (trial, elapsed), (period, &velocities), known)? {
+        angles.iter().zip(counts).for_each(|(&i, count)| velocities[i] = count * TAU / period);
+        tried.push(velocities);
+    }
+    tried.push(prescribed(system, trial, period, (&open, known)));
+    for velocities in tried.into_iter().filter(|velocities| velocities.iter().any(|v| *v != 0.0)) {
+        if repeats(system, (trial, elapsed), (period, &velocities), known)? {
             return Ok(Some(velocities));
         }
     }
     Ok(None)
 }
+
+/// Mean velocities over a period of coordinates that conditions prescribe: moved, they go back to where they were.
+fn prescribed<S: System + ?Sized>(system: &mut S, trial: &Orbit, period: f64, (open, known): (&[usize], &Known<'_>)) -> Vec<f64> {
+    let (x, modes, mut velocities) = (&trial.first, &trial.modes[0], vec![0.0; trial.first.len()]);
+    let begin = trial.steps.first().map_or(0.0, |s| s.start.high);
+    let mut later = x.clone();
+    if system.rejoin(begin + period, &mut later, modes, (begin, x)).is_err() {
+        return velocities;
+    }
+    for &i in open.iter().filter(|i| later[**i] != x[**i]) {
+        let mut aside = x.clone();
+        aside[i] += ASIDE * known.scales[i];
+        let back = system.rejoin(begin, &mut aside, modes, (begin, x)).is_ok();
+        if back && (aside[i] - x[i]).abs() <= SAME * ASIDE * known.scales[i] {
+            velocities[i] = (later[i] - x[i]) / period;
+        }
+    }
+    velocities
+}
+
+/// Share of its scale by which a coordinate is moved to see whether conditions prescribe it.
+const ASIDE: f64 = 1e-3;
 
 /// The least turn of an angle with others that the laws do not feel: in the ratios of the motion, else once each.
 fn together<S: System + ?Sized>(
