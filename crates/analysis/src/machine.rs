@@ -9,6 +9,7 @@ mod flows;
 mod hidden;
 mod impact;
 mod impulses;
+mod integrals;
 mod jolt;
 mod kept;
 mod known;

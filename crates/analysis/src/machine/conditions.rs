@@ -19,7 +19,7 @@ use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
 
-use super::kept::Kept;
+use super::integrals::Kept;
 use super::leap::Leap;
 use super::switches::Switches;
 use crate::{Fault, Mode, Quantity};

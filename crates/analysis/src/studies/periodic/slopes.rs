@@ -3,7 +3,7 @@
 use crate::{Fault, Mode, System};
 
 /// Half width of differences, in scales of the state: (1e-3)^4 of truncation against 1e-16/1e-3 of rounding.
-const WIDTH: f64 = 1e-3;
+pub(super) const WIDTH: f64 = 1e-3;
 
 /// Derivative of a vector function by every state: central differences of fourth order; row i = component i.
 pub(crate) fn derivative(

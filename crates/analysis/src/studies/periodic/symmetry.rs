@@ -5,7 +5,7 @@
 //! turns of angles.
 
 use super::orbit::Orbit;
-use super::slopes::{derivative, slopes};
+use super::slopes::{WIDTH, derivative, slopes};
 use crate::{Fault, Mode, System};
 use algebra::qr::Qr;
 use algebra::random::Random;
@@ -16,6 +16,8 @@ const POINTS: usize = 12;
 const BESIDE: f64 = 0.05;
 /// Share of a row below which an entry is rounding of the differences.
 const NOISE: f64 = 1e-9;
+/// Rounding of a difference of places, some units of the last place over its width, relative to the place beside its scale.
+const DIFFERENCE: f64 = 8.0 * f64::EPSILON / WIDTH;
 
 /// Directions of translation.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,18 +33,19 @@ pub(super) struct Symmetry {
 impl Symmetry {
     /// With what is left of all translations that the laws do not feel beside those that connections leave free.
     pub(super) fn followed(mut self, loose: &Symmetry, scales: &[f64]) -> Symmetry {
-        let mut left: Vec<Vec<f64>> =
-            loose.shifts.iter().map(|(_, shift)| shift.iter().zip(scales).map(|(v, s)| v / s).collect()).collect();
+        let in_scales = |shift: &Vec<f64>| -> Vec<f64> {
+            let scaled: Vec<f64> = shift.iter().zip(scales).map(|(v, s)| v / s).collect();
+            let size = scaled.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            scaled.iter().map(|v| v / size).collect()
+        };
+        let mut left: Vec<Vec<f64>> = loose.shifts.iter().map(|(_, shift)| in_scales(shift)).collect();
         for (pivot, shift) in &self.shifts {
+            let own = in_scales(shift);
             for direction in &mut left {
-                let amount = direction[*pivot] * scales[*pivot];
-                direction.iter_mut().zip(shift).zip(scales).for_each(|((d, v), s)| *d -= amount * v / s);
+                let amount = direction[*pivot] / own[*pivot];
+                direction.iter_mut().zip(&own).for_each(|(d, v)| *d -= amount * v);
                 direction[*pivot] = 0.0;
             }
-        }
-        for direction in &mut left {
-            let size = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            direction.iter_mut().filter(|_| size > 0.0).for_each(|v| *v /= size);
         }
         while let Some(pivot) = left.iter().flat_map(|d| d.iter().enumerate()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|e| e.0) {
             let Some(direction) = eliminate(&mut left, pivot, |d, k| d[k].abs()) else { break };
@@ -196,7 +199,9 @@ fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64],
     for (i, (row, time)) in by_state.iter().zip(&by_time).enumerate() {
         let change = |j: usize| row[j] - if i == j { 1.0 } else { 0.0 };
         let entries = table.places.iter().map(|&j| change(j) * scales[j]).chain([time[0] * period]);
-        let entries: Vec<f64> = entries.map(|e| e / scales[i]).map(|e| if e.abs() < NOISE { 0.0 } else { e }).collect();
+        // a coordinate that has gone far keeps fewer digits of a difference
+        let noise = NOISE.max(DIFFERENCE * x[i].abs() / scales[i]);
+        let entries: Vec<f64> = entries.map(|e| e / scales[i]).map(|e| if e.abs() < noise { 0.0 } else { e }).collect();
         table.matrix.extend(entries);
         table.norms.push(1.0);
     }
