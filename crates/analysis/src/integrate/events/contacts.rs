@@ -10,6 +10,8 @@ use crate::{Fault, GuardKind, Mode, System};
 
 /// Most trials of shares at one instant.
 const TRIALS: usize = 2000;
+/// Times that signs may follow each other: those of one friction, then those that its force changes.
+const SIGNS: usize = 4;
 
 /// A contact or friction that can be left to others: its guards.
 #[derive(Clone, Copy)]
@@ -74,7 +76,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.modes.copy_from_slice(modes);
             self.carry_all();
             corner.idle.iter().for_each(|(guard, mode)| self.modes[*guard] = *mode);
-            if self.attempt()? == Verdict::Holds {
+            if self.attempt_with_signs()? == Verdict::Holds {
                 return Ok(Some(Verdict::Holds));
             }
         }
@@ -91,6 +93,21 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let mut wanted = modes.to_vec();
         likely.iter().for_each(|(guard, mode)| wanted[*guard] = *mode);
         Ok(Some(Verdict::Wants(wanted)))
+    }
+
+    /// Tries the present modes with the signs of what presses frictions that they lead to: a share of a load changes them, and they are no choice.
+    fn attempt_with_signs(&mut self) -> Result<Verdict, Fault> {
+        let mut verdict = self.attempt()?;
+        for _ in 0..SIGNS {
+            let Verdict::Wants(wanted) = &verdict else { break };
+            let sign = |i: usize| matches!(self.system.guards()[i].kind, GuardKind::Normal { .. });
+            if !(0..wanted.len()).all(|i| wanted[i] == self.modes[i] || sign(i)) {
+                break;
+            }
+            self.modes.clone_from(wanted);
+            verdict = self.attempt()?;
+        }
+        Ok(verdict)
     }
 
     /// Contacts and frictions that repeat others in the present modes.
@@ -123,7 +140,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 self.modes[side] = [Mode::Zero, Mode::Positive, Mode::Negative][digits % 3];
                 digits /= 3;
             }
-            match self.attempt()? {
+            match self.attempt_with_signs()? {
                 Verdict::Holds => return Ok(Verdict::Holds),
                 Verdict::Repeats => return Ok(Verdict::Repeats),
                 Verdict::Wants(wanted) => first = first.or(Some(wanted)),
