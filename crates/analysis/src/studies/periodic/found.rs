@@ -84,7 +84,6 @@ pub(super) fn tangent<S: System + ?Sized>(
     let weight = |i: usize| match first {
         Some(state) if state == i => 1e3,
         _ if symmetry.shifts.iter().any(|(pivot, _)| *pivot == i) => 1e2,
-        _ if symmetry.followers.iter().any(|(pivot, _)| *pivot == i) => 0.0,
         _ => 1.0,
     };
     let transposed: Vec<f64> = (0..n * n).map(|k| p[(k % n) * n + k / n] * weight(k % n)).collect();
@@ -125,10 +124,32 @@ impl Found<'_> {
         x
     }
 
+    /// Takes out of a change the translations that connections leave free, then what it has off the conditions along others that the laws do not feel.
+    fn clear(&self, change: &mut [f64]) {
+        clear_shifts(&self.symmetry, change);
+        let followers = &self.symmetry.followers;
+        if followers.is_empty() || self.free.len() == change.len() {
+            return;
+        }
+        let (rows, columns) = (self.coordinates, followers.len());
+        let off = |v: &[f64]| -> Vec<f64> { (0..rows).map(|i| (v[i] - self.linear(v, i)) / self.scales[i]).collect() };
+        let by: Vec<Vec<f64>> = followers.iter().map(|follower| off(follower)).collect();
+        let matrix: Vec<f64> = (0..rows * columns).map(|k| by[k % columns][k / columns]).collect();
+        let amounts = Qr::alike(&matrix, rows, columns, DEPENDENT).least_squares(&off(change)).0;
+        for (amount, follower) in amounts.iter().zip(followers) {
+            change.iter_mut().zip(follower).for_each(|(c, f)| *c -= amount * f);
+        }
+    }
+
+    /// What the free entries of a change say of another one.
+    fn linear(&self, change: &[f64], i: usize) -> f64 {
+        self.free.iter().zip(&self.basis).map(|(&k, column)| column[i] * change[k]).sum()
+    }
+
     /// last - first less drift and whole turns, the shifts taken out.
     pub(super) fn gap(&self) -> Vec<f64> {
         let mut gap = self.raw_gap();
-        clear_shifts(&self.symmetry, &mut gap);
+        self.clear(&mut gap);
         gap
     }
 
@@ -155,9 +176,8 @@ impl Found<'_> {
     /// Largest gap in scales: of what has to come back, and of what follows from it but for whole turns. A wheel in mesh with one that has made a turn may stand elsewhere.
     pub(super) fn miss(&self, gap: &[f64], section: Option<usize>) -> f64 {
         let free = self.returning(section).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max);
-        let linear = |i: usize| self.free.iter().zip(&self.basis).map(|(&k, column)| column[i] * gap[k]).sum::<f64>();
         let followed = if self.free.len() < gap.len() { self.coordinates } else { 0 };
-        (0..followed).map(|i| (gap[i] - linear(i)).abs() / self.scales[i]).fold(free, f64::max)
+        (0..followed).map(|i| (gap[i] - self.linear(gap, i)).abs() / self.scales[i]).fold(free, f64::max)
     }
 
     /// The end of the turn, as the start of another one.
@@ -201,7 +221,7 @@ impl Found<'_> {
                 let later = -change[s] / rates[s];
                 change.iter_mut().zip(&rates).for_each(|(c, r)| *c += r * later);
             }
-            clear_shifts(&self.symmetry, &mut change);
+            self.clear(&mut change);
             for (row, &i) in returning.iter().enumerate() {
                 let unit = if i == j { 1.0 } else { 0.0 };
                 square[row * m + column] = (change[i] - unit) * self.scales[j] / self.scales[i];
@@ -232,7 +252,7 @@ impl Found<'_> {
         for (column, &j) in states.iter().enumerate() {
             let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
             let mut change = whole.matrix.apply(&self.basis[k]);
-            clear_shifts(&self.symmetry, &mut change);
+            self.clear(&mut change);
             // in scales: eigenvalues are the same, rounding is not
             states.iter().enumerate().for_each(|(row, &i)| matrix[row * n + column] = change[i] * self.scales[j] / self.scales[i]);
         }
@@ -248,7 +268,7 @@ impl Found<'_> {
         let Some(frame) = &self.symmetry.frame else { return Ok(None) };
         let mut rates = fundamental::rates(system, 0.0, &self.orbit.first, &self.orbit.modes[0])?;
         rates.iter_mut().zip(frame).for_each(|(r, v)| *r -= v);
-        clear_shifts(&self.symmetry, &mut rates);
+        self.clear(&mut rates);
         let flow: Vec<f64> = self.returning(None).iter().map(|&i| rates[i] * self.orbit.period / self.scales[i]).collect();
         // rates over a period, relative to what varies: a state that does not move
         Ok(flow.iter().any(|f| f.abs() > 1e-9).then_some(flow))
@@ -287,7 +307,7 @@ impl Found<'_> {
         let mut gap: Vec<f64> = self.orbit.state_at(t).iter().zip(&self.orbit.first).map(|(a, b)| a - b).collect();
         gap.iter_mut().zip(self.drift()).for_each(|(gap, v)| *gap -= v * t);
         self.turns.take_off(&mut gap);
-        clear_shifts(&self.symmetry, &mut gap);
+        self.clear(&mut gap);
         // a regime that closes to 1e-10 comes back so where it repeats earlier
         self.miss(&gap, None) < 1e-8
     }

@@ -26,8 +26,8 @@ pub(super) struct Symmetry {
     pub(super) frame: Option<Vec<f64>>,
     /// Directions at one instant, by state: each has 1 at its pivot, and 0 at the pivots of the others.
     pub(super) shifts: Vec<(usize, Vec<f64>)>,
-    /// Directions that the laws do not feel and that connections do not leave free, alike: where a wheel has rolled to follows from its angle, and need not come back with it.
-    pub(super) followers: Vec<(usize, Vec<f64>)>,
+    /// Directions that the laws do not feel and that connections do not leave free: where a wheel has rolled to follows from its angle, and need not come back with it.
+    pub(super) followers: Vec<Vec<f64>>,
 }
 
 impl Symmetry {
@@ -47,14 +47,9 @@ impl Symmetry {
                 direction[*pivot] = 0.0;
             }
         }
-        while let Some(pivot) = left.iter().flat_map(|d| d.iter().enumerate()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|e| e.0) {
+        while let Some((pivot, _)) = left.iter().flat_map(|d| d.iter().enumerate()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
             let Some(direction) = eliminate(&mut left, pivot, |d, k| d[k].abs()) else { break };
-            let shift: Vec<f64> = direction.iter().zip(scales).map(|(d, s)| d * s / scales[pivot]).collect();
-            for (_, other) in &mut self.followers {
-                let factor = other[pivot];
-                other.iter_mut().zip(&shift).for_each(|(o, s)| *o -= factor * s);
-            }
-            self.followers.push((pivot, shift));
+            self.followers.push(direction.iter().zip(scales).map(|(d, s)| d * s).collect());
         }
         self
     }
@@ -270,7 +265,7 @@ fn samples<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) ->
 
 /// Takes the translations out of a change.
 pub(super) fn clear_shifts(symmetry: &Symmetry, change: &mut [f64]) {
-    for (pivot, shift) in symmetry.shifts.iter().chain(&symmetry.followers) {
+    for (pivot, shift) in &symmetry.shifts {
         let amount = change[*pivot];
         change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
     }
