@@ -343,26 +343,15 @@ pub(super) struct Tuning {
 /// Changes a parameter until the period is the wanted one: secant steps on logarithmic scale near the value of the file.
 fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch: &mut Watch) -> Result<(Outcome, Option<Tuning>), Notice> {
     let first = machine.number(name)?;
-    let mut start: Option<Vec<f64>> = None;
     let mut tried = machine.clone();
     let mut at = |value: f64, watch: &mut Watch| -> Result<(Machine, Outcome), Notice> {
         tried.bind(&[(name, value)]).map_err(in_words)?;
         let mut other = tried.clone();
-        let outcome = match &start {
-            // the regime found before is the better guess
-            Some(x) => {
-                let study = Periodic { settle: 0.0, ..reread(machine, &other, study) };
-                from(&mut other, &study, x, watch)
-            }
-            None => {
-                let study = reread(machine, &other, study);
-                regime(&mut other, &study, watch)
-            }
-        };
+        let study = reread(machine, &other, study);
+        let outcome = regime(&mut other, &study, watch);
         if let Some(fault) = &outcome.fault {
             return Err(Notice::from(fault.clone()));
         }
-        start = Some(outcome.regime.start.clone());
         Ok((other, outcome))
     };
     // a thousandth: far above the digits of a period, far below where it bends

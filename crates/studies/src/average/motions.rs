@@ -32,7 +32,7 @@ impl Motions {
     /// The mean speed at the end, with other values.
     pub(super) fn speed(&mut self, values: &[(String, f64)], watch: &Watch) -> Result<f64, Notice> {
         let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
-        let found = one(self.at.forgetful(), &self.repeated, values, &mut inner)?;
+        let found = one(&mut self.at, &self.repeated, values, &mut inner)?;
         let (_, wanted) = &self.repeated.noted[0];
         number(&found, wanted).map(|(value, _)| value)
     }

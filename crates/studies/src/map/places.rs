@@ -76,7 +76,7 @@ impl<'a, 'w> Places<'a, 'w> {
         let shared =
             Shared { threads: self.watch.threads.max(1), block: BLOCK, interrupt: self.watch.interrupt, spread: self.watch.spread };
         let (ranges, repeated) = (self.ranges, self.repeated);
-        let run = |at: &mut At, row: usize| Row::of(at.forgetful(), repeated, values(ranges, places[row - first]), shared.interrupt);
+        let run = |at: &mut At, row: usize| Row::of(at, repeated, values(ranges, places[row - first]), shared.interrupt);
         let end = first + places.len();
         while self.rows.len() < end {
             let from = self.rows.len();

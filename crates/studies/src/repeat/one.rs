@@ -10,21 +10,19 @@ use crate::{Finds, Results};
 use mechanics::asked::Asked;
 use words::Notice;
 
-/// Where a study is repeated: the machine that is given other values, and what the places before have left.
+/// Where a study is repeated: the machine that is given other values. Nothing else is left of the places before: what is found at a place does not depend on the way there.
 #[derive(Clone, Debug)]
 pub struct At {
     /// The machine; it has the values of the last place.
     pub machine: Machine,
     /// How often the file was read again.
     pub anew: usize,
-    /// A start of the regime of the last place.
-    guess: Option<Vec<f64>>,
 }
 
 impl At {
     /// From a machine as the file gives it.
     pub fn of(machine: &Machine) -> At {
-        At { machine: machine.clone(), anew: 0, guess: None }
+        At { machine: machine.clone(), anew: 0 }
     }
 
     /// The same with the values of a first place, so that others only change numbers.
@@ -35,12 +33,6 @@ impl At {
         at.anew += usize::from(matches!(at.machine.bind(&values), Ok(Binding::Anew)));
         at
     }
-
-    /// The same without a memory of the places before: what is found at a place does not depend on the way there.
-    pub fn forgetful(&mut self) -> &mut At {
-        self.guess = None;
-        self
-    }
 }
 
 /// The study at one place.
@@ -50,25 +42,16 @@ impl At {
 pub fn one(at: &mut At, repeated: &Repeated, values: &[(String, f64)], watch: &mut Watch) -> Result<Results, Notice> {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     at.anew += usize::from(at.machine.bind(&values).map_err(in_words)? == Binding::Anew);
-    let (machine, guess) = (&mut at.machine, &mut at.guess);
+    let machine = &mut at.machine;
     let base = &repeated.at(machine)?;
     // what is tuned is not the machine of the next place
     let mut own = base.has("wanted_period").then(|| machine.clone());
     let machine = own.as_mut().unwrap_or(machine);
     let study = (base.kind == periodic::KIND.name).then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
     let mut inner = Watch { interrupt: watch.interrupt, kept: Kept::Numbers, ..Watch::default() };
-    if let (Some(study), Some(x)) = (&study, guess.as_ref()) {
-        // the regime before is the better guess; when it leads nowhere, the file's start is tried
-        let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
-        if outcome.fault.is_none() {
-            *guess = Some(outcome.regime.start.clone());
-            return Ok(periodic::results(machine, study, outcome, None));
-        }
-    }
     let finding = match &study {
         Some(study) => {
             let outcome = periodic::regime(machine, study, &mut inner);
-            *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
             periodic::results(machine, study, outcome, None)
         }
         None => match run(machine, base, &mut inner) {

@@ -25,7 +25,7 @@ fn remark(at: &mut At, repeated: &Repeated, parameter: &Quantity, pair: &[(f64, 
         if middle == low.0 || middle == high.0 {
             break;
         }
-        let finding = one(at.forgetful(), repeated, &[(parameter.name.clone(), middle)], &mut Watch::default());
+        let finding = one(at, repeated, &[(parameter.name.clone(), middle)], &mut Watch::default());
         let there = finding.ok().and_then(|f| stands(&at.machine, &f.data));
         if there == low.1 { low.0 = middle } else { high = (middle, there) }
     }

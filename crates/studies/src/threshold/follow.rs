@@ -156,8 +156,7 @@ impl<'a, 'w> Follow<'a, 'w> {
             progress((self.evaluations as f64 / self.expected.max(self.evaluations + 1) as f64).min(1.0));
         }
         let values = [(self.parameter.name.clone(), place)];
-        let results =
-            one(self.at.forgetful(), &self.repeated, &values, self.watch).map_err(|trouble| self.without_result(place, trouble))?;
+        let results = one(&mut self.at, &self.repeated, &values, self.watch).map_err(|trouble| self.without_result(place, trouble))?;
         let audits = &results.data.audits;
         self.checked += usize::from(!audits.is_empty());
         if let Some(audit) = audits.iter().find(|audit| !audit.ok) {

@@ -10,7 +10,7 @@
 //! *Source*: E. J. Doedel, H. B. Keller, J. P. Kernévez, Int. J. Bifurcation and Chaos 1 (1991) 745-772; T. F. Fairgrieve, A. D. Jepson, SIAM J. Numer. Anal. 28 (1991) 1446-1462.
 
 use super::corrector;
-use super::ground::{Ground, not_the_period};
+use super::ground::{Ground, not_the_period, not_the_turn};
 use super::mesh::{self, Gauss, Interval, Passed};
 use super::zeros::{Facts, Finer, Local, Place, Sort, Zeros};
 use crate::studies::periodic::{Multiplier, Passage};
@@ -196,6 +196,9 @@ impl<'a, 'o> Collocation<'a, 'o> {
         let (machine, _) = self.orbits.family.at(y[y.len() - 1])?;
         if self.orbits.shooting.is_driven() && !self.orbits.shooting.laws_repeat(machine, &parts, period)? {
             return Err(not_the_period(period));
+        }
+        if !self.orbits.shooting.turns_are_unfelt(machine, (&parts, period), &self.gain)? {
+            return Err(not_the_turn());
         }
         let coordinates = machine.n_coordinates();
         let mut extremes = vec![[f64::INFINITY, f64::NEG_INFINITY]; coordinates];

@@ -73,3 +73,22 @@ pub(super) fn not_the_period(period: f64) -> Fault {
         ),
     })
 }
+
+/// The laws feel the turns that are taken off.
+pub(super) fn not_the_turn() -> Fault {
+    Fault::new(Message {
+        code: "S150",
+        what: Text::new(
+            "after its whole turns the machine is another one at this value of the parameter",
+            "при этом значении параметра машина после целых оборотов уже не та же самая",
+        ),
+        why: Text::new(
+            "with this ratio of wheels, or number of lobes, the forces feel by how many turns an angle has gone on",
+            "при таком передаточном отношении или числе выступов силы зависят от того, на сколько оборотов повернулся угол",
+        ),
+        help: Text::new(
+            "follow another parameter, or give the turns after which all wheels stand as before (turns = 3) and values at which they do",
+            "прослеживайте другой параметр или задайте число оборотов, после которого все колёса стоят как прежде (turns = 3), и значения, при которых это так",
+        ),
+    })
+}

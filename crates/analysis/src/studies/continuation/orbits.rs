@@ -6,7 +6,7 @@
 //! ```
 
 use super::collocation::Collocation;
-use super::ground::{Ground, not_the_period, period_at};
+use super::ground::{Ground, not_the_period, not_the_turn, period_at};
 use super::zeros::{Facts, Family, Finer, Local, Place, Sort, Zeros};
 use crate::Fault;
 use crate::studies::periodic::{Multiplier, Shooting, Turned, Varied};
@@ -41,6 +41,9 @@ pub(super) enum By {
 
 /// Largest multiplier with which whole turns are followed: of fourteen digits of a turn eight are left.
 const SENSITIVE: f64 = 1e6;
+
+/// What follows from the states that return is missed by less where it returns as well: beside a miss of theirs only its square is left.
+const SAME: f64 = 1e-6;
 
 impl<'o> Orbits<'_, 'o> {
     /// Scales of the unknowns.
@@ -92,6 +95,12 @@ impl<'o> Orbits<'_, 'o> {
         let slope = |i: usize| (behind[i] - before[i]) / (2.0 * STEP);
         Ok((0..=last).map(|i| if i == last { self.range } else { slope(i) }).collect())
     }
+}
+
+/// What the states that return are missed by, in scales, at most.
+fn missed_in(turned: &Turned<'_>, states: &[usize], scales: &[f64]) -> f64 {
+    let gap = turned.gap();
+    states.iter().map(|&i| gap[i].abs() / scales[i]).fold(0.0, f64::max)
 }
 
 /// R in scales.
@@ -147,6 +156,9 @@ impl Zeros for Orbits<'_, '_> {
         if self.shooting.is_driven() && !turned.laws_repeat(machine)? {
             return Err(not_the_period(turned.period()));
         }
+        if !turned.turns_are_unfelt(machine)? {
+            return Err(not_the_turn());
+        }
         let coordinates = crate::System::n_coordinates(machine);
         self.shooting.widen(machine, &turned);
         let with_parameter = self.by_parameter(y)?;
@@ -156,6 +168,10 @@ impl Zeros for Orbits<'_, '_> {
         let (machine, _) = self.family.at(y[last])?;
         let varied = self.shooting.vary(machine, &mut turned)?;
         let scales = self.scales();
+        let missed_by = missed_in(&turned, &varied.states, &scales);
+        if varied.off > SAME + missed_by {
+            return Err(not_the_turn());
+        }
         let mut basis = directions(&varied, &scales, y.len());
         basis.pop();
         basis.push(with_parameter.iter().zip(&scales).map(|(change, scale)| change / scale).collect());

@@ -159,12 +159,21 @@ impl Found<'_> {
     }
 
     fn raw_gap(&self) -> Vec<f64> {
-        let drift = self.drift();
-        let period = self.orbit.period;
-        let gain = |i: usize| self.orbit.last[i] - self.orbit.first[i];
-        let mut gap: Vec<f64> = (0..self.orbit.first.len()).map(|i| gain(i) - drift[i] * period).collect();
+        let mut gap = self.gain();
         self.turns.take_off(&mut gap);
         gap
+    }
+
+    /// last - first less drift.
+    fn gain(&self) -> Vec<f64> {
+        let drift = self.drift();
+        let gain = |i: usize| self.orbit.last[i] - self.orbit.first[i];
+        (0..self.orbit.first.len()).map(|i| gain(i) - drift[i] * self.orbit.period).collect()
+    }
+
+    /// Whether the laws do not feel the whole turns that are taken off what the turn has gained.
+    pub(super) fn turns_are_unfelt<S: System + ?Sized>(&self, system: &mut S) -> Result<bool, Fault> {
+        self.turns.unfelt(system, &self.orbit, &self.scales, &self.gain())
     }
 
     /// States that have to come back: free, not the section's, not translations.
@@ -176,8 +185,13 @@ impl Found<'_> {
     /// Largest gap in scales: of what has to come back, and of what follows from it but for whole turns. A wheel in mesh with one that has made a turn may stand elsewhere.
     pub(super) fn miss(&self, gap: &[f64], section: Option<usize>) -> f64 {
         let free = self.returning(section).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max);
+        free.max(self.off(gap))
+    }
+
+    /// The largest part of a gap, in scales, that does not follow from what can be chosen: whole turns of angles in mesh that the laws feel.
+    pub(super) fn off(&self, gap: &[f64]) -> f64 {
         let followed = if self.free.len() < gap.len() { self.coordinates } else { 0 };
-        (0..followed).map(|i| (gap[i] - self.linear(gap, i)).abs() / self.scales[i]).fold(free, f64::max)
+        (0..followed).map(|i| (gap[i] - self.linear(gap, i)).abs() / self.scales[i]).fold(0.0, f64::max)
     }
 
     /// The end of the turn, as the start of another one.

@@ -36,6 +36,8 @@ pub(in crate::studies) struct Varied {
     pub(in crate::studies) matrix: Vec<f64>,
     /// Rates at the end of the turn, of all states.
     pub(in crate::studies) rates: Vec<f64>,
+    /// By how much the end misses the start in what follows from these, in scales: whole turns of angles in mesh that the laws feel.
+    pub(in crate::studies) off: f64,
     /// By how much Liouville's formula is missed.
     pub(in crate::studies) liouville: f64,
     /// Largest first; none where the turn has no derivative by its start.
@@ -171,7 +173,8 @@ impl<'o> Shooting<'o> {
         let column = |j: &usize| found.free.iter().position(|i| i == j).map(|k| found.basis[k].clone()).unwrap_or_default();
         let basis = states.iter().map(column).collect();
         let rates = found.flow_at_end(system)?;
-        Ok(Varied { states, basis, liouville: turn.liouville, matrix: turn.matrix, rates, multipliers })
+        let off = found.off(&found.gap());
+        Ok(Varied { states, basis, off, liouville: turn.liouville, matrix: turn.matrix, rates, multipliers })
     }
 }
 
@@ -195,6 +198,14 @@ impl Passage {
     pub(in crate::studies) fn extremes(&self, n: usize) -> Vec<[f64; 2]> {
         (0..n).map(|i| extremes(&self.orbit, i, n + i)).collect()
     }
+}
+
+/// The turn of these parts.
+fn joined(parts: &[Passage], period: f64) -> Option<Orbit> {
+    let (begin, end) = (parts.first()?, parts.last()?);
+    let steps = parts.iter().flat_map(|part| part.orbit.steps.iter().cloned()).collect();
+    let modes = [begin.orbit.modes[0].clone(), end.orbit.modes[1].clone()];
+    Some(Orbit { steps, first: begin.orbit.first.clone(), last: end.orbit.last.clone(), period, modes, ..Orbit::default() })
 }
 
 /// What a part of a turn does to small changes: a matrix in scales, row by row, by how much Liouville's formula is missed, and what the entries may err by as a share of the largest.
@@ -251,12 +262,22 @@ impl Shooting<'_> {
         parts: &[Passage],
         period: f64,
     ) -> Result<bool, Fault> {
-        let (Some(begin), Some(end)) = (parts.first(), parts.last()) else { return Ok(false) };
-        let steps = parts.iter().flat_map(|part| part.orbit.steps.iter().cloned()).collect();
-        let modes = [begin.orbit.modes[0].clone(), end.orbit.modes[1].clone()];
-        let orbit = Orbit { steps, first: begin.orbit.first.clone(), last: end.orbit.last.clone(), period, modes, ..Orbit::default() };
+        let Some(orbit) = joined(parts, period) else { return Ok(false) };
         let known = Known { turns: &self.found.turns, loose: &self.found.loose, scales: &self.found.scales };
         turns::repeats(system, (&orbit, period), (period, &self.carried_in(period)), &known)
+    }
+
+    /// Whether the laws do not feel the whole turns that the states gain in a turn that is known in parts.
+    ///
+    /// *Errors*: those of the equations.
+    pub(in crate::studies) fn turns_are_unfelt<S: System + ?Sized>(
+        &self,
+        system: &mut S,
+        (parts, period): (&[Passage], f64),
+        gain: &[f64],
+    ) -> Result<bool, Fault> {
+        let Some(orbit) = joined(parts, period) else { return Ok(true) };
+        self.found.turns.unfelt(system, &orbit, &self.found.scales, gain)
     }
 
     /// Velocities of the angles that turn with the forcing: the same whole turns in another period.
@@ -322,6 +343,13 @@ impl Turned<'_> {
     /// *Errors*: those of the equations.
     pub(in crate::studies) fn laws_repeat<S: System + ?Sized>(&self, system: &mut S) -> Result<bool, Fault> {
         self.0.laws_repeat(system, self.0.orbit.period)
+    }
+
+    /// Whether the laws do not feel the whole turns that its angles have made.
+    ///
+    /// *Errors*: those of the equations.
+    pub(in crate::studies) fn turns_are_unfelt<S: System + ?Sized>(&self, system: &mut S) -> Result<bool, Fault> {
+        self.0.turns_are_unfelt(system)
     }
 
     /// Least and greatest value of each of the first n states, whose rates are the next n.

@@ -54,6 +54,18 @@ impl Turns {
         self.0.iter().for_each(|turn| unwind(turn, change));
     }
 
+    /// Whether the laws do not feel the whole turns that are in this change.
+    ///
+    /// *Errors*: those of the equations.
+    pub(super) fn unfelt<S: System + ?Sized>(&self, system: &mut S, orbit: &Orbit, scales: &[f64], change: &[f64]) -> Result<bool, Fault> {
+        for turn in self.0.iter().filter(|turn| times(turn, change) != 0.0) {
+            if !symmetry::turned(system, orbit, turn, scales)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Takes whole turns off a state that has turned far; others keep theirs.
     pub(super) fn unwind(&self, x: &mut [f64]) {
         let far = |turn: &&Turn| x[turn[0].0].abs() > WOUND * TAU * turn[0].1;
@@ -161,9 +173,14 @@ fn kept<S: System + ?Sized>(system: &mut S, (orbit, elapsed): (&Orbit, f64), (pe
     })
 }
 
-fn unwind(turn: &Turn, change: &mut [f64]) {
+/// How often a turn is in a change.
+fn times(turn: &Turn, change: &[f64]) -> f64 {
     let (first, count) = turn[0];
-    let times = (change[first] / (TAU * count)).round();
+    (change[first] / (TAU * count)).round()
+}
+
+fn unwind(turn: &Turn, change: &mut [f64]) {
+    let times = times(turn, change);
     turn.iter().for_each(|(i, n)| change[*i] -= times * n * TAU);
 }
 
@@ -192,7 +209,9 @@ pub(super) fn carried<S: System + ?Sized>(
         angles.iter().zip(counts).for_each(|(&i, count)| velocities[i] = count * TAU / period);
         tried.push(velocities);
     }
-    tried.push(prescribed(system, trial, period, (&open, known)));
+    let prescribed = prescribed(system, trial, period, (&open, known));
+    tried.push(with_them(&prescribed, known.loose));
+    tried.push(prescribed);
     for velocities in tried.into_iter().filter(|velocities| velocities.iter().any(|v| *v != 0.0)) {
         if repeats(system, (trial, elapsed), (period, &velocities), known)? {
             return Ok(Some(velocities));
@@ -215,6 +234,18 @@ fn prescribed<S: System + ?Sized>(system: &mut S, trial: &Orbit, period: f64, (o
         let back = system.rejoin(begin, &mut aside, modes, (begin, x)).is_ok();
         if back && (aside[i] - x[i]).abs() <= SAME * ASIDE * known.scales[i] {
             velocities[i] = (later[i] - x[i]) / period;
+        }
+    }
+    velocities
+}
+
+/// The same with what the laws know only beside them: a mass that a drive drags along by a spring goes on with it.
+fn with_them(prescribed: &[f64], loose: &Symmetry) -> Vec<f64> {
+    let mut velocities = vec![0.0; prescribed.len()];
+    for (i, v) in prescribed.iter().enumerate().filter(|(_, v)| **v != 0.0) {
+        match loose.shifts.iter().find(|(_, shift)| shift[i] != 0.0) {
+            Some((_, shift)) => velocities.iter_mut().zip(shift).for_each(|(sum, s)| *sum += v / shift[i] * s),
+            None => velocities[i] += v,
         }
     }
     velocities
