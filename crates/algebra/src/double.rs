@@ -1,5 +1,7 @@
 //! Numbers of twice the digits: sums of products, and the four operations.
 
+mod functions;
+
 use crate::sum::two_sum;
 
 /// A sum in twice the digits.

@@ -3,6 +3,7 @@
 //! [`symbolic::linear`] makes the expressions; here they become a tape over q (and q', q'' about a motion) whose parameters can be changed
 //! one by one, so that a study may follow a frequency, a speed or a stiffness. Derivatives are exact: nothing is differenced.
 
+mod doubles;
 mod following;
 mod graded;
 mod machine;

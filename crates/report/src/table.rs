@@ -88,6 +88,14 @@ impl Cell {
         values.iter().map(|&x| Cell::Number(format.show(x, language))).collect()
     }
 
+    /// The same for a column whose values are quantities of their own, frequencies of a machine say: one that is small beside the largest has its own digits.
+    pub fn column_apart(values: &[f64], digits: usize, language: Language) -> Vec<Cell> {
+        let format = Format::of_column(values, digits);
+        let largest = values.iter().filter(|x| x.is_finite()).fold(0.0_f64, |m, x| m.max(x.abs()));
+        let own = |x: f64| if x != 0.0 && x.abs() < APART * largest { Format::Significant(digits) } else { format };
+        values.iter().map(|&x| Cell::Number(own(x).show(x, language))).collect()
+    }
+
     /// The same for a column whose signs decide: a value that these decimals would show as zero stands with its own first digits.
     pub fn column_of_signs(values: &[f64], digits: usize, language: Language) -> Vec<Cell> {
         let format = Format::of_column(values, digits);
@@ -101,6 +109,8 @@ impl Cell {
     }
 }
 
+/// Share of the largest value of a column below which equal decimals leave less than half of six digits.
+const APART: f64 = 1e-3;
 /// Digits of a number that is shown for its sign.
 const SIGN_DIGITS: usize = 2;
 /// Share of the largest value of a column below which a sign is that of rounding.

@@ -172,6 +172,7 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
         let found = driven(machine, &mut tried, study, (name, &values), None)?;
         values.push((name.clone(), found.value));
         formula = Some(found.words(name));
+        results.own.insert("balance".into(), found.json());
         drive = Some(found);
     }
     if let (Some(inertia), Some(wanted)) = (&study.flywheel, study.irregularity) {

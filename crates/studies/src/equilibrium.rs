@@ -146,26 +146,36 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     if machine.model.unknowns.is_empty() {
         options.impending = crate::machine::unknowns::impending(&machine.model, &machine.equations);
     }
-    let (mut outcome, timing, equations) = if analysis::studies::rest::report::is_free(&machine.equations) {
+    let (mut outcome, below, timing, equations) = if analysis::studies::rest::report::is_free(&machine.equations) {
         let n = machine.equations.coordinates.len();
         let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
         let found = analysis::studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
-        (found, linear.timing(), machine.equations.clone())
+        let below = placed(&mut linear, &found.dataset);
+        (found, below, linear.timing(), machine.equations.clone())
     } else {
         let resting = Resting::new(&machine.equations)?;
         let parameters = numbers_of(resting.equations());
         let studied = analysis::studies::rest::report::Studied { rest: resting.equations(), motion: &machine.equations };
-        (analysis::studies::rest::report::study(studied, &parameters, &start, &options), resting.timing, resting.equations().clone())
+        let (found, below) = analysis::studies::rest::report::study(studied, &parameters, &start, &options);
+        (found, below, resting.timing, resting.equations().clone())
     };
     let column = |name: &str| outcome.dataset.column(name).map(|c| c.values.clone()).unwrap_or_default();
     if let Some(fault) = crate::strands::pushing(machine, column) {
         return Err(fault);
     }
     crate::small::add_roots(machine, &mut outcome.dataset);
-    analysis::rest::observed::add(&equations, &numbers_of(&equations), timing, &mut outcome.dataset);
+    analysis::rest::observed::add(&equations, (&numbers_of(&equations), &below), timing, &mut outcome.dataset);
     outcome.dataset.notes.extend(crate::small::timing_notes(timing));
     outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
     Ok(outcome)
+}
+
+/// What the coordinates of each place have below their last digits.
+fn placed(linear: &mut LinearMachine, data: &Dataset) -> Vec<Vec<f64>> {
+    let names: Vec<String> = linear.coordinates().iter().map(|q| q.name.clone()).collect();
+    let columns: Vec<&Column> = names.iter().filter_map(|name| data.column(name)).collect();
+    let rows = columns.first().map_or(0, |c| c.values.len());
+    (0..rows).map(|row| linear.placed(&columns.iter().map(|c| c.values[row]).collect::<Vec<f64>>()).below).collect()
 }
 
 fn numbers_of(equations: &Equations) -> Vec<f64> {

@@ -19,29 +19,39 @@ impl Graph {
         roots.iter().map(|r| known[r]).collect()
     }
 
-    /// The values of `roots` in twice the digits; none where they need more than the four operations, or a symbol without such a value.
+    /// The values of `roots` in twice the digits; none where a symbol has no such value, or where the result is no number.
     pub fn evaluate_double(&self, roots: &[Expr], value: &dyn Fn(SymbolId) -> Option<Double>) -> Option<Vec<Double>> {
         let order = self.reachable(roots);
         let mut known: FxHashMap<Expr, Double> = FxHashMap::with_capacity_and_hasher(order.len(), FxBuildHasher);
         for e in order {
-            let v = match self.node(e) {
-                Node::Number(r) => r.to_double(),
-                Node::Symbol(s) => value(*s)?,
-                Node::Sum { constant, terms } => {
-                    terms.iter().fold(constant.to_double(), |sum, (t, f)| sum.sum(f.to_double().times(known[t])))
-                }
-                Node::Product { coefficient, factors } => {
-                    let mut product = coefficient.to_double();
-                    for (base, exponent) in factors {
-                        product = product.times(whole_power(known[base], exponent)?);
-                    }
-                    product
-                }
-                _ => return None,
-            };
+            let v = self.double_node(e, value, &|c| known[&c])?;
             known.insert(e, v);
         }
-        Some(roots.iter().map(|r| known[r]).collect())
+        let found: Vec<Double> = roots.iter().map(|r| known[r]).collect();
+        found.iter().all(|v| v.round().is_finite()).then_some(found)
+    }
+
+    fn double_node(&self, e: Expr, value: &dyn Fn(SymbolId) -> Option<Double>, known: &dyn Fn(Expr) -> Double) -> Option<Double> {
+        Some(match self.node(e) {
+            Node::Number(r) => r.to_double(),
+            Node::Pi => Double::pi(),
+            Node::Symbol(s) => value(*s)?,
+            Node::Sum { constant, terms } => terms.iter().fold(constant.to_double(), |sum, (t, f)| sum.sum(f.to_double().times(known(*t)))),
+            Node::Product { coefficient, factors } => {
+                factors.iter().fold(coefficient.to_double(), |p, (b, x)| p.times(exact_power(known(*b), x)))
+            }
+            Node::Power { base, exponent } => known(*base).pow(known(*exponent)),
+            Node::Call { function, arguments } => {
+                function.double(known(arguments[0]), arguments.get(1).map_or(Double::default(), |y| known(*y)))
+            }
+            Node::Switch { guard, edge, then, otherwise } => {
+                let g = known(*guard).round();
+                if g.is_nan() {
+                    return None;
+                }
+                known(if g > 0.0 || g == 0.0 && *edge == Edge::Closed { *then } else { *otherwise })
+            }
+        })
     }
 
     /// The value of one node when those of its operands are known.
@@ -73,11 +83,22 @@ impl Graph {
 /// Largest exponent that is a repeated product.
 const REPEATED: u64 = 16;
 
-/// x^exponent for a small whole exponent.
-fn whole_power(x: Double, exponent: &crate::Rational) -> Option<Double> {
-    let n = exponent.to_i64().filter(|n| n.unsigned_abs() <= REPEATED)?;
-    let power = (0..n.unsigned_abs()).fold(Double::from(1.0), |p, _| p.times(x));
-    Some(if n < 0 { Double::from(1.0).over(power) } else { power })
+/// x^exponent for an exact exponent, in twice the digits.
+fn exact_power(x: Double, exponent: &crate::Rational) -> Double {
+    let whole = |x: Double, n: i64| {
+        let power = (0..n.unsigned_abs()).fold(Double::from(1.0), |p, _| p.times(x));
+        if n < 0 { Double::from(1.0).over(power) } else { power }
+    };
+    let twice = exponent + exponent;
+    match (exponent.to_i64(), twice.to_i64()) {
+        (Some(n), _) if n.unsigned_abs() <= REPEATED => whole(x, n),
+        (Some(n), _) => {
+            let size = x.abs().pow(exponent.to_double());
+            if n % 2 != 0 && x.round() < 0.0 { size.negated() } else { size }
+        }
+        (None, Some(n)) if n.unsigned_abs() <= REPEATED && x.round() >= 0.0 => whole(x.root(), n),
+        _ => x.pow(exponent.to_double()),
+    }
 }
 
 /// x^exponent for an exact exponent.
@@ -90,6 +111,50 @@ fn rational_power(x: f64, exponent: &crate::Rational) -> f64 {
 }
 
 impl Function {
+    /// The value in twice the digits.
+    fn double(self, x: Double, y: Double) -> Double {
+        let smaller = x.less(y).round() <= 0.0;
+        match self {
+            Function::Sin => x.sin_cos().0,
+            Function::Cos => x.sin_cos().1,
+            Function::Tan => {
+                let (s, c) = x.sin_cos();
+                s.over(c)
+            }
+            Function::Asin => x.asin(),
+            Function::Acos => x.acos(),
+            Function::Atan => x.atan(),
+            Function::Atan2 => x.atan2(y),
+            Function::Sinh => x.sinh_cosh().0,
+            Function::Cosh => x.sinh_cosh().1,
+            Function::Tanh => {
+                let (s, c) = x.sinh_cosh();
+                s.over(c)
+            }
+            Function::Asinh => x.asinh(),
+            Function::Acosh => x.acosh(),
+            Function::Atanh => x.atanh(),
+            Function::Exp => x.exp(),
+            Function::Log => x.ln(),
+            Function::Abs => x.abs(),
+            Function::Sign => Double::from(Function::Sign.value(x.round(), 0.0)),
+            Function::Min => {
+                if smaller {
+                    x
+                } else {
+                    y
+                }
+            }
+            Function::Max => {
+                if smaller {
+                    y
+                } else {
+                    x
+                }
+            }
+        }
+    }
+
     /// The value at `x` (and `y` for functions of two arguments, in the order written).
     pub fn value(self, x: f64, y: f64) -> f64 {
         match self {
@@ -119,6 +184,25 @@ impl Function {
             }
             Function::Min => x.min(y),
             Function::Max => x.max(y),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every function in twice the digits is, rounded, the one in single digits.
+    #[test]
+    fn twice_the_digits_are_the_same_functions() {
+        for (function, name) in Function::ALL {
+            for (x, y) in [(0.3, 0.7), (0.9, -0.2), (-0.4, -0.8), (0.0, 1.0)] {
+                let x = if matches!(function, Function::Acosh) { 1.5 + x } else { x };
+                let x = if matches!(function, Function::Log) { 1.5 + x } else { x };
+                let (found, single) = (function.double(Double::from(x), Double::from(y)).round(), function.value(x, y));
+                // two units of the last place
+                assert!((found - single).abs() <= 2.0 * f64::EPSILON * single.abs(), "{name}({x}, {y}): {found:?} {single:?}");
+            }
         }
     }
 }

@@ -14,12 +14,15 @@
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, ch. 10; J. Barlow, J. Demmel, Computing accurate eigensystems of scaled diagonally
 //! dominant matrices, SIAM J. Numer. Anal. 27 (1990).
 
-use super::matrices::{Harmonic, Matrices};
+use super::matrices::{Harmonic, Matrices, parts};
+use algebra::cholesky::positive_definite;
 use algebra::double::Double;
 use algebra::elementary;
 
 /// A pivot below this share of its terms is what 32 digits leave of zero.
 const NOTHING: f64 = 1e-28;
+/// Where a pivot keeps less than this share of its diagonal, single numbers have less than six digits of it.
+const LOST: f64 = 1e-10;
 /// Where each pivot keeps this share of its diagonal, single numbers have ten digits left for the weakest spring.
 const PLAIN: f64 = 1e-6;
 
@@ -41,6 +44,30 @@ impl Matrices {
     /// C in twice the digits.
     fn fine(&self) -> Vec<Double> {
         self.stiffness.iter().zip(&self.below).map(|(high, low)| Double::of(*high, *low)).collect()
+    }
+
+    /// Whether C is positive definite (its symmetric part is); none where it is singular.
+    pub fn definite(&self) -> Option<bool> {
+        let n = self.n;
+        match self.graded() {
+            // a diagonal says it entry by entry
+            Some(Graded { matrices, .. }) => {
+                let own = || (0..n).map(|i| matrices.stiffness[i * n + i]);
+                if own().any(|d| d < 0.0) { Some(false) } else { own().all(|d| d > 0.0).then_some(true) }
+            }
+            None => positive_definite(&parts(&self.stiffness, n).0, n),
+        }
+    }
+
+    /// Whether single numbers leave less than six digits of a weak spring that twice the digits know.
+    pub fn loses(&self) -> bool {
+        let n = self.n;
+        if self.below.is_empty() {
+            return false;
+        }
+        let size = |i: usize| self.stiffness[i * n + i].abs();
+        let weak = |found: Eliminated| (0..n).any(|i| !found.pivots[i].is_zero() && found.pivots[i].round().abs() <= LOST * size(i));
+        eliminated(&self.fine(), n).is_some_and(weak)
     }
 
     /// The same machine in coordinates in which weak and hard springs stand apart; none where single numbers hold both, or where what is hidden is not known.

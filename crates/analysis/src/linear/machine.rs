@@ -13,12 +13,12 @@ use super::graded::hides;
 use super::matrices::{Harmonic, Matrices, settle};
 use super::sought::Seeking;
 use crate::naming::notation;
+use crate::rest::fine::Sought;
 use crate::rest::near::{Found, Near};
-use crate::rest::search::{Statics, rest_near};
+use crate::rest::search::{FineRest, Statics, rest_near};
 use crate::rest::system::ROUNDED;
 use crate::waveform::Shape;
 use crate::{Fault, Quantity};
-use algebra::double::Double;
 use algebra::lu::Lu;
 use algebra::qr;
 
@@ -95,12 +95,14 @@ pub struct Place {
     pub accelerations: Vec<f64>,
     /// λ of the ideal connections.
     pub multipliers: Vec<f64>,
+    /// What q, and then λ, have below their last digits, where weak springs stand beside hard ones; else empty.
+    pub below: Vec<f64>,
 }
 
 impl Place {
     /// At rest, without reactions.
     pub fn rest(q: &[f64]) -> Place {
-        Place { q: q.to_vec(), rates: vec![0.0; q.len()], accelerations: vec![0.0; q.len()], multipliers: Vec::new() }
+        Place { q: q.to_vec(), rates: vec![0.0; q.len()], accelerations: vec![0.0; q.len()], ..Place::default() }
     }
     fn states(&self) -> Vec<f64> {
         self.q.iter().chain(&self.rates).chain(&self.multipliers).copied().collect()
@@ -322,7 +324,7 @@ impl LinearMachine {
             mass: mass.to_vec(),
             damping: damping.to_vec(),
             stiffness: stiffness.to_vec(),
-            below: if hides(stiffness, n) { self.below(stiffness).unwrap_or_default() } else { Vec::new() },
+            below: if hides(stiffness, n) { self.below(stiffness, place).unwrap_or_default() } else { Vec::new() },
             force: force.to_vec(),
         };
         let mut full = Full { matrices, remainders: remainders.to_vec(), reach: reach.to_vec() };
@@ -331,27 +333,6 @@ impl LinearMachine {
         }
         (full.matrices.drift, full.matrices.on_rates) = (Vec::new(), Vec::new());
         Ok(full)
-    }
-
-    /// What C has below its last digits; none where its entries are more than numbers under the four operations.
-    fn below(&self, stiffness: &[f64]) -> Option<Vec<f64>> {
-        let linear = &self.linear;
-        let number = |symbol: SymbolId| {
-            let i = self.inputs.parameters.iter().position(|p| *p == symbol)?;
-            let own = &self.equations.parameters[i];
-            let rest = if own.value.to_bits() == self.values[i].to_bits() { own.rest } else { 0.0 };
-            Some(Double::of(self.values[i], rest))
-        };
-        let mut known: Vec<(SymbolId, Double)> = Vec::new();
-        for (symbol, formula) in &linear.definitions {
-            let value = |s: SymbolId| number(s).or_else(|| known.iter().find(|k| k.0 == s).map(|k| k.1));
-            if let Some(found) = linear.graph.evaluate_double(&[*formula], &value) {
-                known.push((*symbol, found[0]));
-            }
-        }
-        let value = |s: SymbolId| number(s).or_else(|| known.iter().find(|k| k.0 == s).map(|k| k.1));
-        let fine = linear.graph.evaluate_double(linear.stiffness.entries(), &value)?;
-        Some(fine.iter().zip(stiffness).map(|(fine, single)| fine.less(Double::from(*single)).round()).collect())
     }
 
     /// Whether the conditions on rates restrain places like the others.
@@ -453,7 +434,12 @@ impl LinearMachine {
     /// *Errors*: S007 when Newton's method finds none; S035 where a prescribed motion holds a coordinate.
     pub fn settle(&mut self, q: &[f64]) -> Result<Place, Fault> {
         if self.linear.conditions.is_empty() {
-            return Ok(Place::rest(&rest_near(self, q)?));
+            let found = rest_near(self, q);
+            return match self.fine_rest(found.as_ref().map_or(q, |x| x), if found.is_ok() { Sought::Found } else { Sought::Lost }) {
+                Ok(Some(place)) => Ok(place),
+                Err(fault) if found.is_ok() => Err(fault),
+                _ => found.map(|q| Place::rest(&q)),
+            };
         }
         self.with_near(|near, values| near.settle(values, q))
     }
@@ -478,9 +464,17 @@ impl LinearMachine {
         };
         let found = find(&mut near, &self.values);
         self.near = Some(near);
-        let (q, reactions) = found?;
-        let of = |symbol: &SymbolId| reactions.iter().find(|(s, _)| s == symbol).map_or(0.0, |r| r.1);
-        Ok(Place { multipliers: self.linear.multipliers.iter().map(of).collect(), ..Place::rest(&q) })
+        let Found { q, reactions, below } = found?;
+        let n = q.len();
+        let index = |symbol: &SymbolId| reactions.iter().position(|(s, _)| s == symbol);
+        let multipliers = self.linear.multipliers.iter();
+        let low = |symbol: &SymbolId| index(symbol).map_or(0.0, |k| below[n + k]);
+        let below: Vec<f64> = match below.is_empty() {
+            true => Vec::new(),
+            false => below[..n].iter().copied().chain(multipliers.clone().map(low)).collect(),
+        };
+        let of = |symbol: &SymbolId| index(symbol).map_or(0.0, |k| reactions[k].1);
+        Ok(Place { multipliers: multipliers.map(of).collect(), below, ..Place::rest(&q) })
     }
 
     /// Whether M, B and C are the same in every place, so that small motions need no equilibrium.
@@ -669,6 +663,11 @@ impl Statics for LinearMachine {
     }
     fn unit(&self, i: usize) -> &str {
         &self.names[i].unit
+    }
+    fn fine(&mut self, q: &[f64], sought: Sought) -> Result<Option<FineRest>, Fault> {
+        let Some(place) = self.fine_rest(q, sought)? else { return Ok(None) };
+        let stable = self.at(&place)?.definite();
+        Ok(Some(FineRest { q: place.q, stable }))
     }
     fn terms(&self) -> Vec<f64> {
         // the forces stand behind M, B and C

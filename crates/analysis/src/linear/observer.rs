@@ -15,6 +15,8 @@ use crate::Fault;
 pub struct Observer {
     n: usize,
     tape: Arc<Tape>,
+    /// The mean of each formula.
+    means: Vec<Expr>,
     /// Number of harmonics of each formula.
     rows: Vec<usize>,
     /// Waveforms of each formula.
@@ -47,7 +49,7 @@ impl LinearMachine {
     pub fn observer(&mut self, formulas: &[Expr], load: Option<&LoadParts>) -> Result<Observer, Fault> {
         let reactions = self.rows_of_reactions(formulas, load)?;
         let mut roots = Vec::new();
-        let (mut rows, mut forms, mut frozen) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut rows, mut forms, mut frozen, mut means) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut swings: Vec<Vec<(usize, usize)>> = Vec::new();
         for (k, formula) in formulas.iter().enumerate() {
             let output = self.linear.output(&self.equations, *formula);
@@ -56,6 +58,7 @@ impl LinearMachine {
             }
             let mut push = |what: &str, e: Expr| roots.push((format!("output {} {what}", k + 1), e));
             push("mean", output.mean);
+            means.push(output.mean);
             output.by_place.iter().for_each(|e| push("by q", *e));
             output.by_rate.iter().for_each(|e| push("by q'", *e));
             output.by_acceleration.iter().for_each(|e| push("by q''", *e));
@@ -78,6 +81,7 @@ impl LinearMachine {
         Ok(Observer {
             n: self.names.len(),
             tape,
+            means,
             rows,
             forms,
             frozen,
@@ -178,6 +182,12 @@ impl LinearMachine {
             seen
         });
         let mut seen: Vec<Seen> = seen.collect();
+        if !place.below.is_empty() {
+            // the force of a hard spring is a difference below the last digits of the place
+            for (seen, mean) in seen.iter_mut().zip(&observer.means) {
+                self.doubles(&[*mean], place).into_iter().for_each(|found| seen.mean = found[0].round());
+            }
+        }
         for k in observer.timed.iter().flatten() {
             (seen[*k].waves, seen[*k].forms) = Default::default();
         }

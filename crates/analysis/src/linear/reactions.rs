@@ -55,6 +55,8 @@ pub(super) struct Reactions {
     /// Number of rows.
     rows: usize,
     tape: Arc<Tape>,
+    /// The mean of each row.
+    means: Vec<Expr>,
     /// The same without the slopes of formulas by reactions, which need their values.
     balances: Arc<Tape>,
     /// Waveforms known to the tape.
@@ -71,6 +73,13 @@ pub(super) struct Reactions {
     slopes: Vec<(usize, usize, usize)>,
     /// Where the rows' loads come from.
     named: bool,
+}
+
+/// What rows have of the motion and of their loads.
+struct ForcedRows {
+    waves: Vec<Waves>,
+    swings: Vec<Swings>,
+    means: Vec<Expr>,
 }
 
 /// A row near the state.
@@ -156,7 +165,7 @@ impl LinearMachine {
             }
         }
         self.add_balances(&mut sums);
-        let (waves, swings) = self.forced_rows(&sums, load, &mut roots);
+        let ForcedRows { waves, swings, means } = self.forced_rows(&sums, load, &mut roots);
         let alone = roots.len();
         let slopes = self.slopes_by_reactions(formulas, &mut roots);
         self.learn()?;
@@ -168,6 +177,7 @@ impl LinearMachine {
             unknowns,
             rows,
             tape,
+            means,
             balances,
             forms: self.shapes.len(),
             entries,
@@ -180,13 +190,14 @@ impl LinearMachine {
     }
 
     /// What each row has of the motion itself and of its load: the levels of its waves and of what swings.
-    fn forced_rows(&mut self, sums: &[Vec<Expr>], load: Option<&LoadParts>, roots: &mut Vec<(String, Expr)>) -> (Vec<Waves>, Vec<Swings>) {
+    fn forced_rows(&mut self, sums: &[Vec<Expr>], load: Option<&LoadParts>, roots: &mut Vec<(String, Expr)>) -> ForcedRows {
         let equations = Arc::clone(&self.equations);
-        let (mut waves, mut swings) = (Vec::new(), Vec::new());
+        let (mut waves, mut swings, mut means) = (Vec::new(), Vec::new(), Vec::new());
         for (row, sum) in sums.iter().enumerate() {
             let formula = self.linear.graph.sum(sum);
             let own = self.linear.output(&equations, formula);
             roots.push((format!("row {row}"), own.mean));
+            means.push(own.mean);
             let by = own.by_place.iter().chain(&own.by_rate).chain(&own.by_acceleration);
             roots.extend(by.map(|e| (format!("row {row}"), *e)));
             roots.extend(own.swings.iter().map(|(.., e)| (format!("swing {row}"), *e)));
@@ -199,7 +210,7 @@ impl LinearMachine {
             roots.extend(excited.forms.iter().map(|(_, factor)| (format!("factor {row}"), *factor)));
             waves.push((excited.waves.len(), excited.forms.iter().map(|f| f.0).collect()));
         }
-        (waves, swings)
+        ForcedRows { waves, swings, means }
     }
 
     /// What a load alone gives to a row.
@@ -349,7 +360,7 @@ impl LinearMachine {
             }
             entry_pulses.push(sum_of_sizes(take(*pulses).0));
         }
-        let mut rows = Vec::with_capacity(prepared.rows);
+        let mut rows: Vec<Row> = Vec::with_capacity(prepared.rows);
         for ((waves, forms), swings) in prepared.waves.iter().zip(&prepared.swings) {
             let (mean, rounding) = take(1);
             let mean = if mean[0].abs() <= rounding[0] { 0.0 } else { mean[0] };
@@ -359,6 +370,13 @@ impl LinearMachine {
             let waves = (0..*waves).map(|_| take(3).0).map(|w| (w[0], w[1], w[2])).collect();
             let forms = forms.iter().map(|form| (*form, take(1).0[0])).collect();
             rows.push(Row { mean, by: slopes.map(|s| s.0.to_vec()), roundings: slopes.map(|s| s.1.to_vec()), load, waves, forms, swings });
+        }
+        if !place.below.is_empty() {
+            // forces of hard springs are differences below the last digits of the place
+            let known = |s: SymbolId| self.equations.reactions.iter().position(|r| r.symbol == s).map(|r| values[r]);
+            for (row, mean) in rows.iter_mut().zip(&prepared.means) {
+                self.doubles_with(&[*mean], place, &known).into_iter().for_each(|found| row.mean = found[0].round());
+            }
         }
         let slopes = slopes.iter().map(|(.., pulses)| (take(1).0[0], sum_of_sizes(take(*pulses).0))).collect();
         Ok(Evaluated { matrix, rows, slopes, pulses: entry_pulses })

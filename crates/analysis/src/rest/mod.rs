@@ -5,8 +5,10 @@
 //! rest stands above, in `studies::rest`.
 
 pub mod admissible;
+mod doubles;
 pub mod faults;
-mod formulas;
+pub(crate) mod fine;
+pub(crate) mod formulas;
 pub(crate) mod limiting;
 pub mod mean;
 pub mod near;
@@ -17,6 +19,7 @@ pub mod path;
 pub mod places;
 pub(crate) mod rows;
 pub mod search;
+mod settled;
 pub mod sizes;
 pub(crate) mod surfaces;
 pub mod system;

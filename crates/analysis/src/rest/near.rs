@@ -2,6 +2,7 @@
 
 use symbolic::{Equations, SymbolId};
 
+use super::fine::Sought;
 use super::mean::Resting;
 use super::newton::{RESIDUAL, balance, solve, worst};
 use super::places::{draw, rest_rows, tangents_of};
@@ -22,8 +23,15 @@ pub struct Near {
     system: RestSystem,
 }
 
-/// Coordinates, and the reactions by their symbols.
-pub type Found = (Vec<f64>, Vec<(SymbolId, f64)>);
+/// A place.
+pub struct Found {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// The reactions by their symbols.
+    pub reactions: Vec<(SymbolId, f64)>,
+    /// What coordinates and reactions have below their last digits, where weak springs stand beside hard ones; else empty.
+    pub below: Vec<f64>,
+}
 
 impl Near {
     /// Of equations of motion whose connections last.
@@ -56,13 +64,14 @@ impl Near {
         draw(&mut self.system, &mut place, None).ok_or_else(no_equilibrium)?;
         let mut z = self.system.z(&place);
         balance(&mut self.system, &mut z)?;
-        Ok(self.found(&z))
+        Ok(self.found(&z, &[]))
     }
 
-    fn found(&self, z: &[f64]) -> Found {
+    fn found(&self, z: &[f64], below: &[f64]) -> Found {
         let n = self.system.n;
         let symbol = |r: &usize| self.resting.equations().reactions[*r].symbol;
-        (z[..n].to_vec(), self.system.reactions.iter().map(symbol).zip(z[n..].iter().copied()).collect())
+        let reactions = self.system.reactions.iter().map(symbol).zip(z[n..].iter().copied()).collect();
+        Found { q: z[..n].to_vec(), reactions, below: below.to_vec() }
     }
 
     /// The place of rest near q for these parameters.
@@ -80,10 +89,22 @@ impl Near {
             match solve(&mut self.system, &mut better, &free, &rest_rows)? {
                 Some(_) => z = better,
                 None if remainder <= RESTS => {}
-                None => z = self.along(q).ok_or_else(no_equilibrium)?,
+                None => match self.along(q) {
+                    Some(found) => z = found,
+                    None => {
+                        return self
+                            .system
+                            .fine(&better, Sought::Lost)?
+                            .map(|[z, below]| self.found(&z, &below))
+                            .ok_or_else(no_equilibrium);
+                    }
+                },
             }
         }
-        Ok(self.found(&z))
+        Ok(match self.system.fine(&z, Sought::Found)? {
+            Some([z, below]) => self.found(&z, &below),
+            None => self.found(&z, &[]),
+        })
     }
 
     /// Newton's method along the surface of the connections, from a guess near a place of rest.

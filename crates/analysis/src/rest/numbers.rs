@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use algebra::double::Double;
+use symbolic::equations::Parameter;
 use symbolic::{Equations, Expr, SymbolId};
 
 /// Values with rates, accelerations and time zero; a symbol without a value counts as zero.
@@ -9,6 +11,8 @@ use symbolic::{Equations, Expr, SymbolId};
 pub struct Numbers<'e> {
     equations: &'e Equations,
     values: BTreeMap<SymbolId, f64>,
+    /// What values have below their last digits, where the place is known so; empty elsewhere.
+    below: BTreeMap<SymbolId, f64>,
 }
 
 /// Share by which a number is moved to see what it does.
@@ -27,7 +31,7 @@ impl<'e> Numbers<'e> {
         let mut values: BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| p.symbol).zip(parameters.iter().copied()).collect();
         values.extend(equations.coordinates.iter().map(|c| c.symbols[0]).zip(q.iter().copied()));
         values.insert(equations.time, time);
-        let mut numbers = Numbers { equations, values };
+        let mut numbers = Numbers { equations, values, below: BTreeMap::new() };
         // rates of auxiliaries may hold definitions, and definitions auxiliaries
         for _ in 0..2 {
             for a in &equations.auxiliaries {
@@ -43,6 +47,32 @@ impl<'e> Numbers<'e> {
         numbers
     }
 
+    /// The same with what coordinates, and then reactions, have below their last digits; as it is where there is none of it.
+    pub fn below(mut self, below: &[f64]) -> Numbers<'e> {
+        if below.is_empty() {
+            return self;
+        }
+        let equations = self.equations;
+        let reactions = equations.reactions.iter().map(|r| r.symbol);
+        let unknowns = equations.coordinates.iter().map(|c| c.symbols[0]).chain(reactions);
+        self.below.extend(unknowns.zip(below.iter().copied()));
+        let own = |p: &&Parameter| self.values.get(&p.symbol).is_some_and(|v| v.to_bits() == p.value.to_bits());
+        let parameters: Vec<(SymbolId, f64)> = equations.parameters.iter().filter(own).map(|p| (p.symbol, p.rest)).collect();
+        self.below.extend(parameters);
+        for d in &equations.definitions {
+            if let Some([high, low]) = self.double(d.formula).map(Double::parts) {
+                self.values.insert(d.symbol, high);
+                self.below.insert(d.symbol, low);
+            }
+        }
+        self
+    }
+
+    fn double(&self, formula: Expr) -> Option<Double> {
+        let of = |map: &BTreeMap<SymbolId, f64>, s: SymbolId| map.get(&s).copied().unwrap_or(0.0);
+        Some(self.equations.graph.evaluate_double(&[formula], &|s| Some(Double::of(of(&self.values, s), of(&self.below, s))))?[0])
+    }
+
     /// The same with more values: those of reactions.
     pub fn with(mut self, more: impl IntoIterator<Item = (SymbolId, f64)>) -> Numbers<'e> {
         self.values.extend(more);
@@ -51,6 +81,11 @@ impl<'e> Numbers<'e> {
 
     /// The value of an expression, zero where a few roundings of the coordinates and of the values given with [`Numbers::with`] make as much of it.
     pub fn settled(&self, formula: Expr) -> f64 {
+        if !self.below.is_empty()
+            && let Some(value) = self.double(formula)
+        {
+            return value.round();
+        }
         let value = self.evaluate(&[formula])[0];
         if value == 0.0 || !value.is_finite() {
             return value;
@@ -70,6 +105,10 @@ impl<'e> Numbers<'e> {
 
     /// The values of expressions.
     pub fn evaluate(&self, roots: &[Expr]) -> Vec<f64> {
-        self.equations.graph.evaluate(roots, &|s| self.values.get(&s).copied().unwrap_or(0.0))
+        let single = |list: &[Expr]| self.equations.graph.evaluate(list, &|s| self.values.get(&s).copied().unwrap_or(0.0));
+        if self.below.is_empty() {
+            return single(roots);
+        }
+        roots.iter().map(|e| self.double(*e).map_or_else(|| single(&[*e])[0], Double::round)).collect()
     }
 }

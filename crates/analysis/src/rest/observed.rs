@@ -31,6 +31,11 @@ pub fn complete(equations: &Equations, (parameters, q): (&[f64], &[f64]), reacti
     complete_with(equations, &Numbers::at_rest(equations, parameters, q), reactions);
 }
 
+/// The same of a place.
+pub fn complete_place(equations: &Equations, parameters: &[f64], place: &mut Place) {
+    complete_with(equations, &Numbers::at_rest(equations, parameters, &place.q).below(&place.below), &mut place.reactions);
+}
+
 /// Reactions that differ by less than this share of the largest at several instants stand still.
 const STILL: f64 = 1e-9;
 
@@ -116,7 +121,7 @@ pub fn open_shared(equations: &Equations, parameters: &[f64], place: &mut Place)
     }
     let unknown = |r: &usize| equations.reactions[*r].law.is_hidden() || shared.contains(r);
     (0..equations.reactions.len()).filter(unknown).for_each(|r| place.reactions[r] = None);
-    complete(equations, (parameters, &place.q), &mut place.reactions);
+    complete_place(equations, parameters, place);
     Ok(())
 }
 
@@ -165,7 +170,8 @@ fn still(later: &[Vec<Numbers>], formula: Expr) -> bool {
 
 /// Adds the outputs of the file at each place of the result, one row of which is a place: columns of coordinates and reactions by their names.
 /// Outputs that change with time by themselves have no value at rest unless all loads stand still at t = 0.
-pub fn add(equations: &Equations, parameters: &[f64], timing: Timing, data: &mut Dataset) {
+/// `below` has what the coordinates and reactions of each place have below their last digits, where that is known.
+pub fn add(equations: &Equations, (parameters, below): (&[f64], &[Vec<f64>]), timing: Timing, data: &mut Dataset) {
     let symbol_of = |name: &str| {
         let coordinate = equations.coordinates.iter().map(|c| c.symbols[0]).find(|s| equations.graph.symbol_info(*s).name == name);
         coordinate.or_else(|| equations.reactions.iter().find(|r| r.name == name).map(|r| r.symbol))
@@ -178,7 +184,7 @@ pub fn add(equations: &Equations, parameters: &[f64], timing: Timing, data: &mut
         let at = |s: SymbolId| known.iter().find(|(own, _)| *own == s).map(|(_, i)| data.columns[*i].values[row]);
         let q: Vec<f64> = equations.coordinates.iter().map(|c| at(c.symbols[0]).unwrap_or(f64::NAN)).collect();
         let reactions: Vec<(SymbolId, f64)> = open.clone().map(|(s, none)| (s, at(s).unwrap_or(none))).collect();
-        Numbers::at(equations, (parameters, &q), time).with(reactions)
+        Numbers::at(equations, (parameters, &q), time).with(reactions).below(below.get(row).map_or(&[], Vec::as_slice))
     };
     let rows: Vec<Numbers> = (0..places).map(|row| values_at(row, 0.0)).collect();
     let later: Vec<Vec<Numbers>> = (0..places).map(|row| LATER.map(|time| values_at(row, time)).into()).collect();

@@ -76,6 +76,11 @@ impl Paths {
         Ok(())
     }
 
+    /// The start.
+    pub(super) fn anchor(&self) -> &[f64] {
+        &self.anchor
+    }
+
     fn values(&mut self, q: &[f64]) -> Result<Vec<f64>, Fault> {
         Ok(self.evaluator.evaluate(&Point { states: q, ..Point::default() })?.to_vec())
     }

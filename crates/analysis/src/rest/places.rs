@@ -17,6 +17,7 @@ use algebra::elementary;
 use symbolic::Equations;
 use words::Text;
 
+use super::fine::Sought;
 use super::newton::{self, SOLVED, balance, worst};
 use super::search::{Equilibrium, Range};
 use super::sizes::NOISE;
@@ -54,6 +55,8 @@ pub struct Place {
     pub closed: Vec<usize>,
     /// Largest relative remainder of an equation.
     pub residual: f64,
+    /// What coordinates, and then reactions, have below their last digits, where weak springs stand beside hard ones; else empty.
+    pub below: Vec<f64>,
 }
 
 /// Places of rest and what there is to say about the search.
@@ -238,12 +241,14 @@ impl Search<'_> {
             return;
         }
         let solved = resting || matches!(newton::solve(&mut self.system, &mut z, &free, &rest_rows), Ok(Some(_)));
-        if solved {
-            self.keep(&z);
+        match self.system.fine(&z, if solved { Sought::Found } else { Sought::Lost }) {
+            Ok(Some([z, below])) => self.keep(&z, &below),
+            Ok(None) if solved => self.keep(&z, &[]),
+            _ => {}
         }
     }
 
-    fn keep(&mut self, z: &[f64]) {
+    fn keep(&mut self, z: &[f64], below: &[f64]) {
         let n = self.system.n;
         let Ok(rows) = self.system.at(z) else { return };
         let q = &z[..n];
@@ -277,7 +282,12 @@ impl Search<'_> {
         let tidy = |c: usize| if is_noise(&rows, z, &sizes, n + c) { 0.0 } else { z[n + c] };
         self.system.reactions.iter().enumerate().for_each(|(c, r)| reactions[*r] = Some(tidy(c)));
         let residual = worst(&rest_rows(&rows, z), z);
-        self.found.list.push(Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual });
+        let mut digits = below.get(..n).unwrap_or_default().to_vec();
+        if !digits.is_empty() {
+            digits.resize(n + reactions.len(), 0.0);
+            self.system.reactions.iter().enumerate().for_each(|(c, r)| digits[n + r] = below[n + c]);
+        }
+        self.found.list.push(Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual, below: digits });
     }
 
     /// An orthonormal basis of the motions along the surface.

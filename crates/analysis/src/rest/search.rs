@@ -2,6 +2,7 @@
 
 use words::{Message, Text};
 
+use super::fine::Sought;
 use super::sizes::Sizes;
 use crate::peaks;
 use crate::{Fault, System};
@@ -23,11 +24,25 @@ pub trait Statics {
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault>;
     /// SI unit of coordinate `i`.
     fn unit(&self, i: usize) -> &str;
+    /// The place of rest next to one that single digits give, or to where it is sought, where weak springs stand beside hard ones; none elsewhere.
+    ///
+    /// *Errors*: S007 where the weak forces find no rest.
+    fn fine(&mut self, _: &[f64], _: Sought) -> Result<Option<FineRest>, Fault> {
+        Ok(None)
+    }
     /// Size of the terms that cancel in each force of the last [`Statics::statics`], beside what the derivatives make of the coordinates; zeros where it is not
     /// known.
     fn terms(&self) -> Vec<f64> {
         vec![0.0; self.n_coordinates()]
     }
+}
+
+/// A place of rest in twice the digits.
+pub struct FineRest {
+    /// Coordinates, rounded.
+    pub q: Vec<f64>,
+    /// Whether the energy is least there; none where that is open.
+    pub stable: Option<bool>,
 }
 
 impl<S: System + ?Sized> Statics for S {
@@ -153,6 +168,23 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
         let n = system.n_coordinates();
         let sizes = Sizes::new((0..n).map(|i| system.unit(i)));
         Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: false, beside: false, sizes }
+    }
+
+    /// Rest from a place, weak springs beside hard ones too.
+    pub(crate) fn sought(&mut self, x: Vec<f64>) -> Result<Rest, Fault> {
+        let n = self.n;
+        let found = self.from(x.clone());
+        let place = found.as_ref().map_or(&x[..n], |rest| &rest.q);
+        match self.system.fine(place, if found.is_ok() { Sought::Found } else { Sought::Lost }) {
+            Ok(Some(FineRest { q, stable })) => {
+                let mut there = x;
+                there[..n].copy_from_slice(&q);
+                self.evaluate(&there)?;
+                Ok(Rest { stable, ..self.rest(there) })
+            }
+            Err(fault) if found.is_ok() => Err(fault),
+            _ => found,
+        }
     }
 
     /// Newton's method with step halving on the residual measured in Newton's own metric (the length of the simplified correction), which does

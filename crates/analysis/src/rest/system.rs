@@ -18,6 +18,7 @@ use program::{Evaluator, Point, Tape};
 use symbolic::connections::Law;
 use symbolic::{Equations, Expr, Graph, SymbolId};
 
+use super::doubles::Whole;
 use super::formulas::{at_rest, definitions, seeded};
 use super::path::Paths;
 use super::sizes::Sizes;
@@ -79,6 +80,7 @@ pub struct RestSystem {
     balances: usize,
     paths: Option<Paths>,
     sizes: Sizes,
+    pub(super) whole: Arc<Whole>,
 }
 
 /// What takes part.
@@ -160,6 +162,7 @@ impl RestSystem {
             ..Inputs::default()
         };
         let tape = Arc::new(lower::expressions(&graph, "rest", &inputs, &list)?);
+        let whole = Whole::new(equations, graph, (list.into_iter().map(|(_, e)| e).collect(), roots.list.len()), &z);
         let of = |wanted: fn(&Law) -> bool| (0..equations.reactions.len()).filter(|r| wanted(&equations.reactions[*r].law)).collect();
         Ok(RestSystem {
             evaluator: Evaluator::new(&tape, parameters)?,
@@ -175,6 +178,7 @@ impl RestSystem {
             balances: roots.balances,
             paths: None,
             sizes: Sizes::new(equations.coordinates.iter().map(|c| c.unit.as_str())),
+            whole: Arc::new(whole),
         })
     }
 
@@ -199,6 +203,16 @@ impl RestSystem {
             Some(paths) => paths.set(parameters, start),
             None => Ok(()),
         }
+    }
+
+    /// Whether a condition on rates, counted among those alone, leads to a place.
+    pub(super) fn leads_to_place(&self, slot: usize) -> bool {
+        self.paths.as_ref().is_some_and(|p| p.exact[slot])
+    }
+
+    /// From where conditions on rates are counted.
+    pub(super) fn anchor(&self) -> Option<&[f64]> {
+        self.paths.as_ref().map(Paths::anchor)
     }
 
     /// Whether conditions on rates are counted from a start.

@@ -366,6 +366,7 @@ impl Balance {
             rates: (0..n).map(|i| sum(i, 1)).collect(),
             accelerations: (0..n).map(|i| sum(i, 2)).collect(),
             multipliers: (0..m).map(|k| rest.multipliers.get(k).copied().unwrap_or(0.0) + sum(n + k, 0)).collect(),
+            ..Place::default()
         };
         let found = self.machine.at(&place)?;
         let extra = self.machine.values(&self.extra, &place)?;

@@ -9,7 +9,7 @@
 //!
 //! are found by least squares over the states; an equation may be multiplied by anything, so one of its terms with an acceleration keeps α = 1, the
 //! one that leaves most of the others alone. A factor other than 1 names the term that is wrong and what it should be; terms that are proportional to
-//! each other at all states (3 x and 2 x) count as one. Where no factors fit, a term is missing: terms of the machine's own equations are tried one by one.
+//! each other at all states (3 x and 2 x) count as one, but for an equation that has no others: there all keep one factor beside the acceleration. Where no factors fit, a term is missing: terms of the machine's own equations are tried one by one.
 
 use crate::studies::simulate::{Grid, Simulate, simulate};
 use crate::system::GuardKind;
@@ -236,8 +236,25 @@ pub fn fit(sum: Sum) -> Fit {
         fit.factors = Some(spread(&factors));
         return fit;
     }
+    if let Some((anchor, factor)) = (groups.len() == 1 && sum.target.is_none()).then(|| ratio(&sum, &states)).flatten() {
+        let (own, others): (Vec<usize>, Vec<usize>) = (0..sum.terms.len()).partition(|k| *k == anchor);
+        fit.factors = Some((0..sum.terms.len()).map(|k| if k == anchor { 1.0 } else { factor }).collect());
+        fit.groups = vec![own, others];
+        return fit;
+    }
     fit.missing = missing(&sum, (&columns, &states, &weight), &solve);
     fit
+}
+
+/// In an equation whose terms are all proportional to each other (of a single oscillator: x'' follows x) a term that keeps its factor, and that of all others.
+fn ratio(sum: &Sum, states: &[usize]) -> Option<(usize, f64)> {
+    sum.anchors.iter().find_map(|anchor| {
+        let rest = |s: usize| (0..sum.terms.len()).filter(|k| k != anchor).map(|k| sum.terms[k][s]).sum::<f64>();
+        let (across, square) = states.iter().fold((0.0, 0.0), |(a, b), s| (a + sum.terms[*anchor][*s] * rest(*s), b + rest(*s) * rest(*s)));
+        let factor = -across / square;
+        let left = |s: &usize| (sum.terms[*anchor][*s] + factor * rest(*s)).abs() <= ROUNDING * scale(sum, *s);
+        (factor.is_finite() && factor != 0.0 && states.iter().all(left)).then_some((*anchor, factor))
+    })
 }
 
 /// Factors of columns that make a sum right.

@@ -111,16 +111,16 @@ pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opt
     Ok(Balance { work, size, inertia: inertia / angle, excess: range[1] - range[0], dataset })
 }
 
-/// The work of [`cycle`] alone, to the same bits, for searches: without rows and checks.
+/// The work of [`cycle`], to the same bits, and the sum of the magnitudes that make it up: for searches, without rows and checks.
 ///
 /// *Errors*: as [`cycle`].
-pub fn work<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<f64, Fault> {
+pub fn work<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<[f64; 2], Fault> {
     let Led { mut machine, steps } = led(system, lead, start, options)?;
     let mut sum = Sum { angles: Vec::new(), ..Sum::new(options, start[options.angle]) };
     for (step, length) in &steps {
         sum.add(&mut machine, step, *length, options)?;
     }
-    Ok(sum.work)
+    Ok([sum.work, sum.size])
 }
 
 /// A machine, and the steps that lead through its cycle.

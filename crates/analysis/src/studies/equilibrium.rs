@@ -84,7 +84,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         let rates = (2 * n).min(x.len());
         x[n..rates].fill(0.0);
         x[..n].copy_from_slice(guess);
-        match search.from(x) {
+        match search.sought(x) {
             Ok(rest) if found.iter().all(|other| !sizes.same([&other.q, &rest.q], &own, ONE)) => found.push(rest),
             Ok(_) => {}
             Err(fault) => faults.push(fault),

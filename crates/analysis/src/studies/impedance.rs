@@ -29,6 +29,10 @@ const BASIS: f64 = 8.0 * f64::EPSILON;
 /// The amplitudes that a load F exp(iωt) forces; conditions of connections reduce the problem to the motions they allow.
 pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     if !m.drift.is_empty() {
+        // conditions on rates are solved in single numbers
+        if m.loses() {
+            return Amplitudes { doubt: f64::NAN, ..Amplitudes::default() };
+        }
         return crate::studies::rolling::forced(m, omega, load);
     }
     if let Some((z, k)) = m.allowed() {

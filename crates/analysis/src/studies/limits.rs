@@ -243,7 +243,13 @@ fn leaves(machine: &mut LinearMachine, place: &Place, (rate, waves): (f64, &[Wav
             }
         }
         let q = place.q.iter().zip(&away).map(|(q, d)| q + d).collect();
-        let at = Place { q, rates: rates.clone(), accelerations: accelerations.clone(), multipliers: place.multipliers.clone() };
+        let at = Place {
+            q,
+            rates: rates.clone(),
+            accelerations: accelerations.clone(),
+            multipliers: place.multipliers.clone(),
+            ..Place::default()
+        };
         // beyond the domain of a formula nothing holds
         let Ok(there) = machine.values(&motion, &at) else { return f64::INFINITY };
         for (i, size) in whole.iter().enumerate().filter(|(_, size)| **size > 0.0) {

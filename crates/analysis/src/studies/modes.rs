@@ -19,7 +19,7 @@ use words::Text;
 use crate::audits::certified;
 use crate::dataset::Audit;
 use crate::linear::{Matrices, largest, parts};
-use crate::studies::roots::{Basis, roots};
+use crate::studies::roots::{Basis, lost, roots};
 pub use crate::studies::shapes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, divided};
 use crate::studies::shapes::{normalise, remarks};
 use crate::{Fault, Quantity};
@@ -62,6 +62,10 @@ pub fn modes(system: &Matrices, names: &[Quantity], normalisation: Normalisation
 /// The modes that the conditions allow.
 fn allowed(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
     if !system.drift.is_empty() {
+        // conditions on rates are solved in single numbers
+        if system.loses() {
+            return Err(lost());
+        }
         return crate::studies::rolling::modes(system, names, normalisation);
     }
     let Some((z, k)) = system.allowed() else { return sound(system, names, normalisation) };

@@ -245,7 +245,7 @@ fn settled_root(root: Complex, noise: f64) -> Complex {
     if root.1 != 0.0 && root.0.abs() <= noise * root.1.abs() { (0.0, root.1) } else { root }
 }
 
-fn lost() -> Fault {
+pub(super) fn lost() -> Fault {
     crate::fault::small::rounded_away(Text::new(
         "a slow root of the small motions hangs on rounding",
         "медленный корень уравнений малых движений определяется округлением",

@@ -76,7 +76,7 @@ fn matrices_are_the_derivatives_of_the_equations() {
             continue;
         }
         let at = |seed: f64| (0..n).map(|i| 0.3 * (1.0 + seed * (i as f64 + 1.7)).sin()).collect::<Vec<_>>();
-        let place = Place { q: at(1.0), rates: at(2.0), accelerations: at(3.0), multipliers: Vec::new() };
+        let place = Place { q: at(1.0), rates: at(2.0), accelerations: at(3.0), ..Place::default() };
         let Ok(found) = linear.at(&place) else { continue };
         let step = 1e-5;
         for j in 0..n {

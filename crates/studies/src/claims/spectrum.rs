@@ -83,12 +83,16 @@ pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, wa
     let held: Vec<f64> = sets[0].iter().filter(|row| is_root(row)).map(|row| row.frequency).collect();
     let own: Vec<f64> = sets[0].iter().map(|row| row.frequency).collect();
     let as_many = |set: &Vec<Row>| set.iter().filter(|row| is_root(row)).count() == held.len();
-    if !held.is_empty() && held.len() < own.len() && sets.iter().all(as_many) && roots(machine, &published, &held) == Roots::These {
-        let rows: Vec<&Row> = sets.iter().flatten().filter(|row| is_root(row)).collect();
-        verdict.deviation = rows.iter().fold(0.0, |m, row| m.max(row.deviation()));
-        (verdict.value, verdict.published, verdict.ok) = (0.0, 0.0, true);
-        verdict.words = of_a_part(&held, &without(&all, &held));
-        return;
+    if !held.is_empty() && held.len() < own.len() && sets.iter().all(as_many) {
+        // of two parts that have one frequency the equation may be that of one
+        let once = if parts(machine) > 1 { distinct(&held) } else { held.clone() };
+        if let Some(meant) = [&held, &once].into_iter().find(|list| roots(machine, &published, list) == Roots::These) {
+            let rows: Vec<&Row> = sets.iter().flatten().filter(|row| is_root(row)).collect();
+            verdict.deviation = rows.iter().fold(0.0, |m, row| m.max(row.deviation()));
+            (verdict.value, verdict.published, verdict.ok) = (0.0, 0.0, true);
+            verdict.words = of_a_part(meant, &without(&all, meant));
+            return;
+        }
     }
     let rows: Vec<&Row> = sets.iter().flatten().collect();
     let found = compared(&published, &rows);
@@ -113,6 +117,43 @@ pub fn judge(machine: &mut Machine, claim: &ClaimDecl, verdict: &mut Verdict, wa
             _ => words(machine, &published, (&own, &held), &found, claim.tolerance),
         };
     }
+}
+
+/// Each number once; equal frequencies of parts are equal to the digits that roots have.
+fn distinct(list: &[f64]) -> Vec<f64> {
+    let mut found: Vec<f64> = Vec::new();
+    for value in list {
+        if !found.iter().any(|known| (known - value).abs() <= SAME * value.abs()) {
+            found.push(*value);
+        }
+    }
+    found
+}
+
+/// Parts of the machine that no coefficient and no condition couples.
+fn parts(machine: &Machine) -> usize {
+    let equations = &machine.equations;
+    let graph = &equations.graph;
+    let n = equations.coordinates.len();
+    let mut part: Vec<usize> = (0..n).collect();
+    let join = |part: &mut Vec<usize>, i: usize, j: usize| {
+        let (from, to) = (part[i].max(part[j]), part[i].min(part[j]));
+        part.iter_mut().filter(|p| **p == from).for_each(|p| *p = to);
+    };
+    for i in 0..n {
+        let row: Vec<Expr> = (0..n).filter(|j| *j != i).map(|j| equations.mass.get(i, j)).collect();
+        let masses: Vec<usize> = (0..n).filter(|j| *j != i).zip(row).filter(|(_, e)| !graph.is_zero(*e)).map(|(j, _)| j).collect();
+        let mut formulas = vec![equations.force[i], equations.mass.get(i, i)];
+        formulas.extend(equations.definitions.iter().filter(|d| graph.contains(equations.force[i], |s| s == d.symbol)).map(|d| d.formula));
+        let seen = |j: usize| formulas.iter().any(|e| graph.contains(*e, |s| equations.coordinates[j].symbols.contains(&s)));
+        let coupled: Vec<usize> = masses.into_iter().chain((0..n).filter(|j| *j != i && seen(*j))).collect();
+        coupled.into_iter().for_each(|j| join(&mut part, i, j));
+    }
+    for condition in &equations.conditions {
+        let list: Vec<usize> = condition.columns.iter().map(|(j, _)| *j).collect();
+        list.windows(2).for_each(|pair| join(&mut part, pair[0], pair[1]));
+    }
+    (0..n).filter(|i| part[*i] == *i).count()
 }
 
 /// The sum of the terms over all rows; an equation of one term by what it is beside its roots.
@@ -332,6 +373,12 @@ fn of_a_part(held: &[f64], left: &[f64]) -> Text {
         return Text::new(
             format!("its roots are {en} rad/s; the free motion (0 rad/s) is left out, as is usual"),
             format!("его корни {ru} рад/с; свободное движение (0 рад/с) опущено, как это принято"),
+        );
+    }
+    if left.iter().any(|w| held.iter().any(|h| (h - w).abs() <= SAME * h)) {
+        return Text::new(
+            format!("its roots are {en} rad/s; {en_left} rad/s belong to parts of the machine that the equation leaves out"),
+            format!("его корни {ru} рад/с; {ru_left} рад/с относятся к частям машины, которые уравнение не описывает"),
         );
     }
     Text::new(

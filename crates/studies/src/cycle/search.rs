@@ -10,24 +10,79 @@ const STEPS: usize = 40;
 /// Changes of a drive below this share of it are rounding.
 const SETTLED: f64 = 1e-13;
 
+/// What a sum of work leaves of zero, as a share of what passes: some hundred units of the last place.
+const NOTHING: f64 = 1e-13;
+/// Share of what passes that the work of the unknown has where the two values lie between which its slope is taken: rounding is then below 1e-12 of the slope.
+const SEEN: f64 = 0.1;
+/// Change of the unknown where it does nothing that can be seen yet, and how often it is made.
+const LARGER: f64 = 1e4;
+const ENLARGED: usize = 5;
+/// Distance of the work half-way from the mean of both ends, as a share of the work of the unknown, up to which it is a straight line.
+const STRAIGHT: f64 = 1e-9;
+/// Digits that are printed where they are known.
+const DIGITS: usize = 8;
+/// Share of the unknown over which the tangent is taken where the work is no straight line.
+const BESIDE: f64 = 1e-3;
+
 /// The balance of work over the cycle, rest + slope·drive = 0, J, and the drive that solves it.
 #[derive(Clone, Copy)]
 pub(super) struct Drive {
     rest: f64,
     slope: f64,
     pub value: f64,
+    /// Digits to which rest and value are known beside all work that passes.
+    digits: usize,
 }
 
 impl Drive {
     pub fn words(self, name: &str) -> Text {
-        let print = |x: f64| report::number::short(x, 8, words::Language::En);
+        let shown = |x: f64, digits: usize| report::number::short(x, digits, words::Language::En);
         let sign = |x: f64| if x < 0.0 { "−" } else { "+" };
         let name = report::symbol::plain(name, words::Language::En);
-        let (rest, value) = (print(self.rest), print(self.value));
-        let line = format!("∮ M dφ = {rest} {} {}·{name} = 0,   {name} = {value}", sign(self.slope), print(self.slope.abs()));
+        let (rest, value) = (shown(self.rest, self.digits), shown(self.value, self.digits));
+        let line = format!("∮ M dφ = {rest} {} {}·{name} = 0,   {name} = {value}", sign(self.slope), shown(self.slope.abs(), DIGITS));
         let ru = line.replace('.', ",");
         Text::new(format!("Energy balance of the cycle (J): {line}"), format!("Баланс энергии за цикл (Дж): {ru}"))
     }
+
+    /// Work without the drive, and by a unit of it, J.
+    pub fn json(self) -> serde_json::Value {
+        serde_json::json!({"rest": self.rest, "slope": self.slope})
+    }
+
+    /// A balance whose rest is known to a rounding of what passes.
+    fn of([rest, size]: [f64; 2], slope: f64) -> Drive {
+        let rest = if rest.abs() <= NOTHING * size { 0.0 } else { rest };
+        let known = if rest == 0.0 { DIGITS as f64 } else { -algebra::elementary::log10(f64::EPSILON * size / rest.abs()) };
+        Drive { rest, slope, value: 0.0 - rest / slope, digits: known.clamp(1.0, DIGITS as f64) as usize }
+    }
+}
+
+/// The work over the cycle with a value of the unknown, and what passes.
+type Work<'w> = dyn FnMut(f64) -> Result<[f64; 2], Notice> + 'w;
+
+/// The work as a straight line over the unknown, W(0) + slope·u, which it is in most machines: a load has a part in the generalized force. None where it bends, or
+/// where the unknown does nothing.
+fn line(work: &mut Work, first: f64) -> Result<Option<Drive>, Notice> {
+    let rest = work(0.0)?;
+    let mut far = if first == 0.0 { 1.0 } else { first };
+    for _ in 0..ENLARGED {
+        let [there, size] = work(far)?;
+        let done = (there - rest[0]).abs();
+        let passes = size.max(rest[1]);
+        if done <= NOTHING * passes {
+            far *= LARGER;
+            continue;
+        }
+        if done < SEEN * passes && done < SEEN * rest[1] {
+            far *= rest[1] / done;
+            continue;
+        }
+        let [half, _] = work(0.5 * far)?;
+        let straight = (half - 0.5 * (rest[0] + there)).abs() <= STRAIGHT * done;
+        return Ok(straight.then(|| Drive::of(rest, (there - rest[0]) / far)));
+    }
+    Ok(None)
 }
 
 /// The value of a parameter for which the work over the cycle vanishes. `near` solved the balance with other numbers.
@@ -39,22 +94,34 @@ pub(super) fn driven(
     near: Option<Drive>,
 ) -> Result<Drive, Notice> {
     let first = machine.number(name)?;
-    let mut work = |value: f64| -> Result<f64, Notice> {
+    let mut work = |value: f64| -> Result<[f64; 2], Notice> {
         let mut values = others.to_vec();
         values.retain(|(n, _)| n != name);
         values.push((name.to_owned(), value));
         tried.set(&values)?;
         tried.work(study)
     };
+    if near.is_none()
+        && let Ok(Some(found)) = line(&mut work, first)
+    {
+        return Ok(found);
+    }
+    let found = secant(&mut work, first, near)?.ok_or_else(|| idle(machine, name))?;
+    Ok(if near.is_some() { found } else { tangent(&mut work, found)? })
+}
+
+/// The balance by secants, where the work bends with the unknown; none where it does not change.
+fn secant(work: &mut Work, first: f64, near: Option<Drive>) -> Result<Option<Drive>, Notice> {
     let mut a = near.map_or(first, |near| near.value);
-    let mut work_a = work(a)?;
+    let [mut work_a, mut size] = work(a)?;
     let mut b = near.map_or(if first == 0.0 { 1.0 } else { 0.9 * first }, |near| a - work_a / near.slope);
-    if let Some(near) = near.filter(|near| (b - near.value).abs() <= SETTLED * b.abs()) {
-        return Ok(near);
+    if let Some(near) = near.filter(|near| (b - near.value).abs() <= SETTLED * b.abs() || work_a.abs() <= NOTHING * size) {
+        return Ok(Some(near));
     }
     let (mut slope, mut rest) = (0.0, 0.0);
     for _ in 0..STEPS {
-        let work_b = work(b)?;
+        let [work_b, passes] = work(b)?;
+        size = passes;
         let now = (work_b - work_a) / (b - a);
         if now == 0.0 || !now.is_finite() {
             break;
@@ -67,11 +134,36 @@ pub(super) fn driven(
             break;
         }
     }
-    if slope == 0.0 {
-        return Err(Notice::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
-            .help("choose a drive force or torque as the unknown", "выберите неизвестной движущую силу или момент"));
+    let known = Drive::of([rest, size], slope).digits;
+    Ok((slope != 0.0).then_some(Drive { rest, slope, value: b, digits: known }))
+}
+
+/// The same with the slope of the tangent there: between the last two values of a search it is one of rounding.
+fn tangent(work: &mut Work, found: Drive) -> Result<Drive, Notice> {
+    let by = BESIDE * found.value.abs();
+    if by == 0.0 {
+        return Ok(found);
     }
-    Ok(Drive { rest, slope, value: b })
+    let ([above, _], [below, _]) = (work(found.value + by)?, work(found.value - by)?);
+    let slope = (above - below) / (2.0 * by);
+    Ok(if slope == 0.0 || !slope.is_finite() { found } else { Drive { slope, rest: -slope * found.value, ..found } })
+}
+
+/// S048.
+fn idle(machine: &Machine, name: &str) -> Notice {
+    let held = |r: &symbolic::connections::Reaction| matches!(r.law, symbolic::connections::Law::Motor);
+    if machine.equations.reactions.iter().any(held) || machine.equations.conditions.iter().any(|c| c.reaction.is_none()) {
+        let (en, ru) = (
+            format!("no value of `{name}` follows from the balance: a motor or a prescribed motion does whatever work is missing"),
+            format!("величина `{name}` из баланса не следует: недостающую работу совершает двигатель или заданное движение"),
+        );
+        return Notice::new("S048", en, ru).help(
+            "leave out the prescribed motion: the study holds the shaft to the uniform rate by itself",
+            "уберите заданное движение: равномерное вращение вала расчёт обеспечивает сам",
+        );
+    }
+    Notice::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
+        .help("choose a drive force or torque as the unknown", "выберите неизвестной движущую силу или момент")
 }
 
 /// The inertia for which the irregularity is the wanted one, with the drive that goes with it.

@@ -75,10 +75,10 @@ impl Tried {
         self.over(study, cycle)
     }
 
-    /// The work of the balance.
+    /// The work of the balance, and the sum of the magnitudes that make it up.
     ///
     /// *Errors*: S046, and what the study finds wrong.
-    pub fn work(&mut self, study: &Cycle) -> Result<f64, Notice> {
+    pub fn work(&mut self, study: &Cycle) -> Result<[f64; 2], Notice> {
         Ok(self.over(study, analysis::studies::cycle::work)?.0)
     }
 

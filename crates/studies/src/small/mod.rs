@@ -97,12 +97,7 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     for place in found {
         let closed = with_closed(&machine.equations, &place.closed);
         let mut linear = following(machine, closed)?;
-        let of = |symbol: &SymbolId| {
-            let r = equations.reactions.iter().position(|r| r.symbol == *symbol);
-            r.and_then(|r| place.reactions[r]).unwrap_or(0.0)
-        };
-        let multipliers = linear.linear().multipliers.iter().map(of).collect();
-        let at = Place { multipliers, ..Place::rest(&place.q) };
+        let at = linear.about(&place, equations);
         if !guess.is_empty() || stable(&mut linear, &at) {
             let reaction = |name: &str| {
                 let r = equations.reactions.iter().position(|r| r.name == name);
@@ -225,8 +220,7 @@ fn stable(linear: &mut LinearMachine, place: &Place) -> bool {
         return natural::modes(&found, linear.coordinates(), Normalisation::Largest).is_ok_and(|m| m.modes.iter().all(|m| !m.grows()));
     }
     let found = found.allowed().map_or(found.clone(), |(z, k)| found.reduced(&z, k));
-    let (even, _) = analysis::linear::parts(&found.stiffness, found.n);
-    algebra::cholesky::positive_definite(&even, found.n) != Some(false)
+    found.definite() != Some(false)
 }
 
 /// Remarks on the unknowns that were found.
@@ -251,14 +245,14 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     for row in 0..rows {
         let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
         let Some(q) = q else { return };
-        let matrices = linear.at(&Place::rest(&q));
+        let place = linear.placed(&q);
+        let matrices = linear.at(&place);
         let found = matrices.clone().and_then(|m| natural::modes(&m, linear.coordinates(), Normalisation::Largest));
-        let fastest =
-            found.as_ref().map_or(0.0, |f| f.modes.iter().fold(0.0_f64, |g, m| g.max(algebra::elementary::hypot(m.root.0, m.root.1))));
         let grows = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
-        let verdict = matrices.as_ref().map_or(None, |m| analysis::studies::rest::stability::verdict(m, grows, fastest));
+        let listed = found.as_ref().map_or(&[][..], |f| &f.modes);
+        let verdict = matrices.as_ref().map_or(None, |m| analysis::studies::rest::stability::verdict(m, listed));
         let of = |verdict: Option<bool>| verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable)));
-        if let Some(found) = degenerate(&mut linear, &Place::rest(&q)) {
+        if let Some(found) = degenerate(&mut linear, &place) {
             verdicts.push(of(found.stable));
             higher.push(found);
             growth.push(f64::NAN);

@@ -52,7 +52,12 @@ fn cells(name: &str, values: &[f64], language: Language) -> Vec<Cell> {
     let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     // Re λ and ζ tell growing motions from dying ones
     let decides = name == "growth" || name == "damping_ratio" || name.starts_with("zeta_");
-    let printed = if decides { Cell::column_of_signs(&finite, DIGITS, language) } else { Cell::column(&finite, DIGITS, language) };
+    let apart = matches!(name, "omega" | "omega_d" | "f" | "T");
+    let printed = match () {
+        () if decides => Cell::column_of_signs(&finite, DIGITS, language),
+        () if apart => Cell::column_apart(&finite, DIGITS, language),
+        () => Cell::column(&finite, DIGITS, language),
+    };
     let mut shown = printed.into_iter();
     values.iter().map(|v| if v.is_finite() { shown.next().unwrap_or(Cell::Empty) } else { Cell::words("–") }).collect()
 }

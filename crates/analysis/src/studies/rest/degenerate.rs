@@ -163,6 +163,17 @@ struct Pair {
     value: f64,
 }
 
+impl Pair {
+    /// Without entries that are rounding of the largest: they would couple what nothing couples.
+    fn settled(mut self) -> Pair {
+        for list in [&mut self.left, &mut self.right] {
+            let largest = list.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            list.iter_mut().filter(|v| v.abs() <= f64::EPSILON * largest).for_each(|v| *v = 0.0);
+        }
+        self
+    }
+}
+
 /// The pairs of a matrix in which coordinates are alike: eigenvectors where it is symmetric but for rounding, else singular vectors.
 fn pairs(a: &[f64], k: usize) -> Option<Vec<Pair>> {
     let unit: Vec<f64> = (0..k * k).map(|p| f64::from(u8::from(p / k == p % k))).collect();
@@ -217,13 +228,14 @@ impl Around<'_> {
             None => (None, matrices),
         };
         let k = along.n;
-        if k == 0 || k > DIRECTIONS {
+        // a weak spring beside hard ones is one: in its own coordinates C is diagonal, and no entry of that diagonal is rounding
+        if k == 0 || k > DIRECTIONS || along.graded().is_some() {
             return None;
         }
         // alike stiffnesses on the diagonal: the eigenvectors are those of no unit
         let units = scales(&along);
         let scaled: Vec<f64> = (0..k * k).map(|p| units[p / k] * along.stiffness[p] * units[p % k]).collect();
-        let found = pairs(&scaled, k)?;
+        let found: Vec<Pair> = pairs(&scaled, k)?.into_iter().map(Pair::settled).collect();
         let names: Vec<String> = machine.coordinates().iter().map(|c| c.unit.clone()).collect();
         let sizes = Sizes::new(names.iter().map(String::as_str)).at(&[&place.q]);
         // displacements z y, and the rows that give y of them

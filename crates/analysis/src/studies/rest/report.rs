@@ -3,7 +3,6 @@
 //! With dry friction a machine rests in whole ranges. Its start counts as a place of rest when reactions within the limits of friction hold it there; further places
 //! are those where it would rest without friction, of which friction makes neighbourhoods.
 
-use algebra::elementary;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -17,7 +16,7 @@ use words::Text;
 use super::degenerate::{Degenerate, degenerate, remark};
 use super::stability::{free_directions, verdict, with_closed};
 use crate::dataset::{Audit, Column, Dataset, Missing};
-use crate::linear::{LinearMachine, Place as Linearised};
+use crate::linear::LinearMachine;
 use crate::rest::admissible::Holds;
 use crate::rest::limiting::limiting;
 use crate::rest::newton::{RESIDUAL, balance, worst};
@@ -59,14 +58,22 @@ pub struct Studied<'e> {
 /// Places of rest of a machine whose equations have conditions, contacts, frictions or no coordinates at all.
 ///
 /// *Errors* beside what was found: S007 no place, S093 friction that is too weak, S062 a rope that would push.
-pub fn study(studied: Studied, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Outcome {
-    match attempt(studied, parameters, start, options) {
-        Ok(outcome) => outcome,
-        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
+///
+/// With what coordinates and reactions of each place have below their last digits, where weak springs stand beside hard ones.
+pub fn study(studied: Studied, parameters: &[f64], start: &[f64], options: &Equilibrium) -> (Outcome, Vec<Vec<f64>>) {
+    let mut below = Vec::new();
+    match attempt(studied, parameters, (start, options), &mut below) {
+        Ok(outcome) => (outcome, below),
+        Err(fault) => (Outcome { dataset: Dataset::default(), fault: Some(fault) }, below),
     }
 }
 
-fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
+fn attempt(
+    studied: Studied,
+    parameters: &[f64],
+    (start, options): (&[f64], &Equilibrium),
+    below: &mut Vec<Vec<f64>>,
+) -> Result<Outcome, Fault> {
     let equations = studied.rest;
     if let Some(refused) = crate::rest::faults::journal(equations) {
         return Err(refused);
@@ -125,12 +132,13 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
+    below.extend(rows.iter().map(|r| r.place.below.clone()));
     Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
 }
 
 /// A place with all its reactions, its stability, and without values that it does not determine.
 fn whole(studied: Studied, parameters: &[f64], mut place: Place) -> Result<Row, Fault> {
-    observed::complete(studied.rest, (parameters, &place.q), &mut place.reactions);
+    observed::complete_place(studied.rest, parameters, &mut place);
     observed::complete_turning(studied.motion, (parameters, &place.q), &mut place.reactions);
     let mut row = judged(studied, parameters, place)?;
     observed::open_shared(studied.rest, parameters, &mut row.place)?;
@@ -235,7 +243,7 @@ fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fa
     }
     let all: Vec<crate::rest::system::Row> = rows.forces.iter().chain(&rows.places).cloned().collect();
     let residual = worst(&all, &z);
-    Ok(Ok((Place { q: q.to_vec(), reactions, closed, residual }, notes)))
+    Ok(Ok((Place { q: q.to_vec(), reactions, closed, residual, below: Vec::new() }, notes)))
 }
 
 fn between(name: &str, ends: [f64; 2], unit: &str) -> Text {
@@ -263,12 +271,7 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
     let closed = with_closed(studied.motion, &row.place.closed);
     let Ok(mut linear) = LinearMachine::new(&Arc::new(closed), About::Rest) else { return Ok(row) };
-    let of = |symbol: &SymbolId| {
-        let r = equations.reactions.iter().position(|r| r.symbol == *symbol);
-        r.and_then(|r| row.place.reactions[r]).unwrap_or(0.0)
-    };
-    let multipliers = linear.linear().multipliers.iter().map(of).collect();
-    let at = Linearised { multipliers, ..Linearised::rest(&row.place.q) };
+    let at = linear.about(&row.place, equations);
     let Ok(matrices) = linear.at(&at) else { return Ok(row) };
     let along = matrices.allowed().map_or(matrices.clone(), |(z, k)| matrices.reduced(&z, k));
     if !matrices.drift.is_empty() {
@@ -282,14 +285,12 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     }
     let names = linear.coordinates().to_vec();
     let found = modes(&matrices, &names, Normalisation::Largest).ok();
-    let size = |m: &crate::studies::modes::Mode| elementary::hypot(m.root.0, m.root.1);
-    let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().map(size).fold(0.0, f64::max));
     let growth = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
     if let Some(found) = found.as_ref().filter(|f| !f.modes.is_empty()) {
         row.growth = growth;
         row.negative = found.undamped.iter().filter(|w| w.is_nan()).count() as f64;
     }
-    row.stable = if strange { None } else { verdict(&along, growth, fastest) };
+    row.stable = if strange { None } else { verdict(&along, found.as_ref().map_or(&[][..], |f| &f.modes)) };
     row.degenerate = if strange { None } else { degenerate(&mut linear, &at) };
     if let Some(Degenerate { stable, .. }) = &row.degenerate {
         (row.stable, row.growth, row.negative) = (*stable, f64::NAN, f64::NAN);

@@ -17,10 +17,11 @@ use symbolic::Equations;
 use symbolic::connections::Law;
 
 use crate::linear::{Matrices, largest, parts};
+use crate::studies::modes::Mode;
 use algebra::cholesky::positive_definite;
-use algebra::{eigen, qr};
+use algebra::{eigen, elementary, qr};
 
-/// Real parts below this share of the largest root count as none.
+/// Real parts below this share of their own root count as none.
 const AXIS: f64 = 1e-9;
 
 /// The equations with closed contacts as lasting connections, and dry friction and open contacts gone: what small motions are taken of.
@@ -37,18 +38,20 @@ pub fn with_closed(equations: &Equations, closed: &[usize]) -> Equations {
     out
 }
 
-/// The verdict: stable, unstable, or undecided; `growth` is the largest real part of a root (NaN where there are none to be had), `fastest` the largest
-/// root. The matrices are those along the surface.
-pub fn verdict(along: &Matrices, growth: f64, fastest: f64) -> Option<bool> {
+/// The verdict: stable, unstable, or undecided; `modes` are its roots (none where there are none to be had), each measured by
+/// itself: a slow growth beside a fast oscillation is one. The matrices are those along the surface.
+pub fn verdict(along: &Matrices, modes: &[Mode]) -> Option<bool> {
     let n = along.n;
     if n == 0 {
         return Some(true);
     }
-    let along = &scaled(along);
-    if growth > AXIS * fastest {
+    let along = &alike(along);
+    let share = |m: &Mode| if m.root.0 == 0.0 { 0.0 } else { m.root.0 / elementary::hypot(m.root.0, m.root.1) };
+    let growth = modes.iter().map(share).reduce(f64::max).unwrap_or(0.0);
+    if growth > AXIS {
         return Some(false);
     }
-    if growth < -AXIS * fastest {
+    if growth < -AXIS {
         return Some(true);
     }
     let (even, odd) = parts(&along.stiffness, n);
@@ -91,9 +94,14 @@ pub(super) fn scales(along: &Matrices) -> Vec<f64> {
     (0..n).map(|i| size(i).sqrt().recip()).collect()
 }
 
+/// The same where each direction has a stiffness of its own size; weak springs beside hard ones have it in directions of their own.
+fn alike(along: &Matrices) -> Matrices {
+    along.graded().map_or_else(|| scaled(along), |graded| graded.matrices)
+}
+
 /// Directions along the surface that no stiffness resists.
 pub fn free_directions(along: &Matrices) -> usize {
-    let along = &scaled(along);
+    let along = &alike(along);
     let n = along.n;
     let scale = largest(&along.stiffness);
     if scale == 0.0 {

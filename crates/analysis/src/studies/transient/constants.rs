@@ -144,7 +144,7 @@ mod tests {
 
     /// The solution as it is written: free motion, harmonics, standing displacement, the rest.
     fn written(o: &Oscillator, tau: f64) -> f64 {
-        let mode = Mode { shape: vec![1.0], oscillator: o.clone() };
+        let mode = Mode { shape: vec![1.0], oscillator: o.clone(), doubt: 0.0 };
         let constants = o.constants();
         let forcing = constants.harmonics.iter().map(|h| forcing(*h, 0.0)).collect();
         let listed = Listed { mode: &mode, constants, forcing, inertia: 1.0 };

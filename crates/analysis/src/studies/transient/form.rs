@@ -9,12 +9,14 @@ use super::load::Load;
 use super::obstacle::{Obstacle, Reason, Result, connected};
 use super::value::{Value, slope};
 use crate::Fault;
+use crate::rest::formulas;
+use algebra::double::Double;
 use algebra::lu::Lu;
 use std::collections::HashMap;
 use symbolic::{Edge, Equations, Expr, Function, Node, SymbolId};
 
 /// M q'' + B q' + C q = f(t) within a phase; matrices row-major.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Form {
     /// Number of coordinates.
     pub n: usize,
@@ -24,6 +26,8 @@ pub struct Form {
     pub damping: Vec<f64>,
     /// C.
     pub stiffness: Vec<f64>,
+    /// What C has below its last digits, row by row as C; empty where that is not known.
+    pub below: Vec<f64>,
     /// f over the time t of the model.
     pub loads: Vec<Load>,
     /// Auxiliary states (angles of prescribed turning) over t.
@@ -121,7 +125,7 @@ impl<'e> Walk<'e> {
         let equations = self.equations;
         let n = equations.coordinates.len();
         let zeros = vec![0.0; n * n];
-        let mut form = Form { n, mass: zeros.clone(), damping: zeros.clone(), stiffness: zeros, loads: Vec::new(), turns: Vec::new() };
+        let mut form = Form { n, mass: zeros.clone(), damping: zeros.clone(), stiffness: zeros, ..Form::default() };
         for i in 0..n {
             for j in 0..n {
                 let e = equations.mass.get(i, j);
@@ -146,7 +150,40 @@ impl<'e> Walk<'e> {
             }
             form.loads.push(load);
         }
+        form.below = self.below(&form.stiffness).unwrap_or_default();
         Ok(form)
+    }
+
+    /// What C has below its last digits: a weak spring lies there beside a hard one. None where its entries hang on a place.
+    fn below(&self, stiffness: &[f64]) -> Option<Vec<f64>> {
+        let equations = self.equations;
+        let mut graph = equations.graph.clone();
+        let known = formulas::definitions(equations);
+        let mut list = vec![graph.zero(); stiffness.len()];
+        let n = equations.coordinates.len();
+        for (j, coordinate) in equations.coordinates.iter().enumerate() {
+            let mut by = formulas::seeded(&mut graph, &known, coordinate.symbols[0]);
+            for (i, force) in equations.force.iter().enumerate() {
+                list[i * n + j] = by.apply(&mut graph, *force);
+            }
+        }
+        // what a frame gives is rounded
+        let mounted = |s: SymbolId| equations.mounted.as_ref().is_some_and(|m| m.numbers().contains(&s));
+        let number = |s: SymbolId| {
+            let own = equations.parameters.iter().find(|p| p.symbol == s && !mounted(s));
+            if s == equations.time { Some(Double::from(self.inside)) } else { own.map(|p| Double::of(p.value, p.rest)) }
+        };
+        let mut defined: Vec<(SymbolId, Double)> = Vec::new();
+        for (symbol, formula) in &known {
+            let value = |s: SymbolId| number(s).or_else(|| defined.iter().find(|d| d.0 == s).map(|d| d.1));
+            if let Some(found) = graph.evaluate_double(&[*formula], &value) {
+                defined.push((*symbol, found[0]));
+            }
+        }
+        let value = |s: SymbolId| number(s).or_else(|| defined.iter().find(|d| d.0 == s).map(|d| d.1));
+        let fine = graph.evaluate_double(&list, &value)?;
+        // h stands on the right, C on the left
+        Some(fine.iter().zip(stiffness).map(|(slope, c)| slope.negated().less(Double::from(*c)).round()).collect())
     }
 
     /// A coefficient of the equations; about a place of rest its mean, since what varies is a product of a small load and a small motion.

@@ -8,7 +8,9 @@ use super::form::Form;
 use super::load::Load;
 use super::oscillator::Oscillator;
 use crate::Fault;
+use crate::linear::Matrices;
 use algebra::complex::Complex;
+use algebra::double::Double;
 use algebra::eigen::{general, symmetric};
 use algebra::expm;
 use algebra::lu::Lu;
@@ -31,6 +33,8 @@ pub struct Mode {
     pub shape: Vec<f64>,
     /// The equation of x.
     pub oscillator: Oscillator,
+    /// Share of k by which rounding of the stiffnesses may have changed it.
+    pub doubt: f64,
 }
 
 /// z' = A z for z = (ω q, q', load).
@@ -42,6 +46,19 @@ pub struct Joint {
     omega: f64,
     matrix: Vec<f64>,
     start: Vec<f64>,
+    /// Shapes whose amplitudes the places q are, where weak springs stand beside hard ones.
+    shapes: Option<Vec<Vec<f64>>>,
+}
+
+/// A rate λ of a part e^(λ τ).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rate {
+    /// Real part, 1/s.
+    pub re: f64,
+    /// Imaginary part, rad/s.
+    pub im: f64,
+    /// Share of it that is not known, beside the rounding of the angle.
+    pub doubt: f64,
 }
 
 impl Motion {
@@ -53,16 +70,24 @@ impl Motion {
         if let Some(modes) = principal(form, &loads, state) {
             return Ok(Motion::Modes(modes));
         }
-        Joint::new(form, &loads, state).map(Motion::Exponential).ok_or_else(singular)
+        let joint = Joint::by_shapes(form, &loads, state).or_else(|| Joint::new(form, &loads, state));
+        joint.map(Motion::Exponential).ok_or_else(singular)
     }
 
-    /// Rates λ of the parts e^(λ τ) of the motion, real and imaginary part, 1/s.
-    pub fn rates(&self) -> Vec<(f64, f64)> {
+    /// Rates of the parts e^(λ τ) of the motion.
+    pub fn rates(&self) -> Vec<Rate> {
         match self {
-            Motion::Modes(modes) => modes.iter().flat_map(|m| m.oscillator.rates()).collect(),
+            Motion::Modes(modes) => {
+                let own = |m: &Mode| m.oscillator.rates().into_iter().map(|(re, im)| Rate { re, im, doubt: m.doubt }).collect::<Vec<_>>();
+                modes.iter().flat_map(own).collect()
+            }
             Motion::Exponential(joint) => {
                 let values = general(joint.size, &joint.matrix).map(|found| found.values).unwrap_or_default();
-                values.iter().map(|z| (z.re, z.im)).collect()
+                let plain = values.iter().map(|z| Rate { re: z.re, im: z.im, doubt: 0.0 });
+                // squares of the exponential carry the rounding of its fastest part into all others, whether that one dies away or not
+                let fastest = values.iter().map(|z| algebra::elementary::hypot(z.re, z.im)).fold(0.0, f64::max);
+                let carried = joint.shapes.is_some().then_some(Rate { re: 0.0, im: fastest, doubt: 0.0 });
+                plain.chain(carried).collect()
             }
         }
     }
@@ -102,7 +127,7 @@ fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
     if let ([a], [b], [c]) = (form.mass.as_slice(), form.damping.as_slice(), form.stiffness.as_slice()) {
         return (*a > 0.0).then(|| vec![single([*a, *b, *c], &loads[0], state)]);
     }
-    let (k2, shapes) = generalized(&form.mass, &form.stiffness, n)?;
+    let Shapes { squares: k2, shapes, doubts } = generalized(form)?;
     let times = |a: &[f64], v: &[f64]| -> Vec<f64> { (0..n).map(|i| (0..n).map(|j| a[i * n + j] * v[j]).sum()).collect() };
     let drags: Vec<Vec<f64>> = shapes.iter().map(|s| times(&form.damping, s)).collect();
     let damping: Vec<f64> = shapes.iter().zip(&drags).map(|(s, d)| dot(s, d)).collect();
@@ -113,7 +138,7 @@ fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
             }
         }
     }
-    let mode = |((shape, k2), b): ((Vec<f64>, f64), f64)| {
+    let mode = |(((shape, k2), b), doubt): (((Vec<f64>, f64), f64), f64)| {
         let mut load = Load::default();
         for (f, s) in loads.iter().zip(&shape) {
             load.add(f, *s);
@@ -121,9 +146,9 @@ fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
         // x = sᵀ M q, since sᵀ M s = 1
         let weight = times(&form.mass, &shape);
         let (x0, v0) = (dot(&weight, &state[..n]), dot(&weight, &state[n..]));
-        Mode { oscillator: Oscillator { n: 0.5 * b, k2, load, x0, v0 }, shape }
+        Mode { oscillator: Oscillator { n: 0.5 * b, k2, load, x0, v0 }, shape, doubt }
     };
-    Some(shapes.into_iter().zip(k2).zip(damping).map(mode).collect())
+    Some(shapes.into_iter().zip(k2).zip(damping).zip(doubts).map(mode).collect())
 }
 
 fn near(a: f64, b: f64, size: f64) -> bool {
@@ -135,15 +160,90 @@ fn single([a, b, c]: [f64; 3], load: &Load, state: &[f64]) -> Mode {
     let mut per_inertia = Load::default();
     per_inertia.add(load, 1.0 / a);
     let oscillator = Oscillator { n: b / (2.0 * a), k2: c / a, load: per_inertia, x0: state[0], v0: state[1] };
-    Mode { shape: vec![1.0], oscillator }
+    Mode { shape: vec![1.0], oscillator, doubt: 0.0 }
 }
 
-/// C v = k² M v with vᵀ M v = 1, ascending; none when M is not positive definite.
-fn generalized(mass: &[f64], stiffness: &[f64], n: usize) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+/// Undamped oscillations: C v = k² M v with vᵀ M v = 1.
+struct Shapes {
+    squares: Vec<f64>,
+    shapes: Vec<Vec<f64>>,
+    /// Share of each k that rounding of the stiffnesses leaves open.
+    doubts: Vec<f64>,
+}
+
+/// A square below this share of its terms is what 32 digits leave of zero.
+const NOTHING: f64 = 1e-28;
+
+impl Form {
+    /// With what C has below its last digits.
+    fn matrices(&self) -> Matrices {
+        let (mass, damping) = (self.mass.clone(), self.damping.clone());
+        Matrices {
+            n: self.n,
+            mass,
+            damping,
+            stiffness: self.stiffness.clone(),
+            below: self.below.clone(),
+            force: vec![0.0; self.n],
+            ..Matrices::default()
+        }
+    }
+
+    /// vᵀ C v / vᵀ M v in twice the digits, and Σ |v_i C_ij v_j| / vᵀ M v.
+    fn quotient(&self, v: &[f64]) -> [f64; 2] {
+        let n = self.n;
+        let low = |p: usize| self.below.get(p).copied().unwrap_or(0.0);
+        let form = |entry: &dyn Fn(usize) -> [f64; 2]| {
+            (0..n * n).fold(Double::default(), |sum, p| {
+                let [high, low] = entry(p);
+                let both = Double::from(v[p / n]).times(Double::from(v[p % n]));
+                sum.add_times(high, both).add_times(low, both)
+            })
+        };
+        let mass = form(&|p| [self.mass[p], 0.0]);
+        let terms: f64 = (0..n * n).map(|p| (v[p / n] * self.stiffness[p] * v[p % n]).abs()).sum();
+        [form(&|p| [self.stiffness[p], low(p)]).over(mass).round(), terms / mass.round()]
+    }
+}
+
+/// The undamped shapes, ascending; none when M is not positive definite. Where weak springs stand beside hard ones they come from coordinates in which C is diagonal.
+fn generalized(form: &Form) -> Option<Shapes> {
+    let n = form.n;
+    let graded = form.matrices().graded();
+    let (mass, stiffness) = graded.as_ref().map_or((&form.mass, &form.stiffness), |g| (&g.matrices.mass, &g.matrices.stiffness));
     let modes = symmetric(n, stiffness, mass).ok()?;
     let size = modes.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let square = |v: &f64| if v.abs() > 4.0 * f64::EPSILON * size { *v } else { 0.0 };
-    Some((modes.values.iter().map(square).collect(), (0..n).map(|j| modes.shape(j).to_vec()).collect()))
+    let (mut squares, mut shapes, mut doubts) = (Vec::new(), Vec::new(), Vec::new());
+    for (j, value) in modes.values.iter().enumerate() {
+        let own = modes.shape(j);
+        let shape: Vec<f64> = match &graded {
+            Some(g) => g.rounded().chunks(n).map(|row| dot(row, own)).collect(),
+            None => own.to_vec(),
+        };
+        let [quotient, terms] = form.quotient(&shape);
+        let square = match () {
+            () if graded.is_some() => *value,
+            () if form.below.is_empty() => {
+                if value.abs() > 4.0 * f64::EPSILON * size {
+                    *value
+                } else {
+                    0.0
+                }
+            }
+            () => {
+                if quotient.abs() > NOTHING * terms && value.abs() > 4.0 * f64::EPSILON * size {
+                    quotient
+                } else {
+                    0.0
+                }
+            }
+        };
+        let known = !form.below.is_empty() || square == 0.0;
+        doubts.push(if known { 0.0 } else { 0.5 * f64::EPSILON * terms / square.abs() });
+        squares.push(square);
+        shapes.push(shape);
+    }
+    Some(Shapes { squares, shapes, doubts })
 }
 
 /// Functions g_j = τ^j/j! e^(λτ), of which loads are made: g_j' = λ g_j + g_(j-1), g_0(0) = 1, the others begin at 0.
@@ -153,6 +253,38 @@ struct Chain {
 }
 
 impl Joint {
+    /// By the undamped shapes, where weak springs stand beside hard ones: there C is diagonal, and each stiffness has its own digits.
+    fn by_shapes(form: &Form, loads: &[Load], state: &[f64]) -> Option<Joint> {
+        let n = form.n;
+        let even = |a: &[f64]| (0..n * n).all(|p| near(a[p], a[(p % n) * n + p / n], 0.0));
+        if !even(&form.mass) || !even(&form.stiffness) {
+            return None;
+        }
+        form.matrices().graded()?;
+        let Shapes { squares, shapes, .. } = generalized(form)?;
+        let product = |a: &[f64], v: &[f64]| -> Vec<f64> { a.chunks(n).map(|row| dot(row, v)).collect() };
+        let unit = |p: usize, value: f64| if p / n == p % n { value } else { 0.0 };
+        let drags: Vec<Vec<f64>> = shapes.iter().map(|s| product(&form.damping, s)).collect();
+        let pushed = |shape: &Vec<f64>| {
+            let mut load = Load::default();
+            loads.iter().zip(shape).for_each(|(f, s)| load.add(f, *s));
+            load
+        };
+        let own = Form {
+            n,
+            mass: (0..n * n).map(|p| unit(p, 1.0)).collect(),
+            damping: (0..n * n).map(|p| dot(&shapes[p / n], &drags[p % n])).collect(),
+            stiffness: (0..n * n).map(|p| unit(p, squares[p / n])).collect(),
+            ..Form::default()
+        };
+        // x = vᵀ M q, since vᵀ M v = 1
+        let weights: Vec<Vec<f64>> = shapes.iter().map(|s| product(&form.mass, s)).collect();
+        let amplitudes = |q: &[f64]| weights.iter().map(|w| dot(w, q)).collect::<Vec<f64>>();
+        let start = [amplitudes(&state[..n]), amplitudes(&state[n..])].concat();
+        let joint = Joint::new(&own, &shapes.iter().map(pushed).collect::<Vec<_>>(), &start)?;
+        Some(Joint { shapes: Some(shapes), ..joint })
+    }
+
     fn new(form: &Form, loads: &[Load], state: &[f64]) -> Option<Joint> {
         let n = form.n;
         let lu = Lu::new(&form.mass, n);
@@ -180,7 +312,7 @@ impl Joint {
         }
         let mut start: Vec<f64> = state[..n].iter().map(|q| q * omega).chain(state[n..].iter().copied()).collect();
         start.resize(size, 0.0);
-        let mut joint = Joint { n, size, omega, matrix, start };
+        let mut joint = Joint { n, size, omega, matrix, start, shapes: None };
         let mut at = 2 * n;
         for chain in &chains {
             joint.couple(chain, at, loads, &lu)?;
@@ -270,8 +402,15 @@ impl Joint {
 
     /// (q, q') of z.
     pub(super) fn state_of(&self, z: &[f64]) -> Vec<f64> {
-        let q = z[..self.n].iter().map(|q| q / self.omega);
-        q.chain(z[self.n..2 * self.n].iter().copied()).collect()
+        let places: Vec<f64> = z[..self.n].iter().map(|q| q / self.omega).collect();
+        let rates = &z[self.n..2 * self.n];
+        let whole = |own: &[f64]| -> Vec<f64> {
+            match &self.shapes {
+                Some(shapes) => (0..self.n).map(|i| shapes.iter().zip(own).map(|(s, x)| s[i] * x).sum()).collect(),
+                None => own.to_vec(),
+            }
+        };
+        [whole(&places), whole(rates)].concat()
     }
     /// Number of components of z.
     pub(super) fn size(&self) -> usize {
