@@ -92,7 +92,10 @@ impl Placements {
         for _ in 0..HALVINGS {
             let nodes: Option<Vec<Vec<f64>>> = (0..=N).map(|k| node(half * abscissa(k))).collect();
             if let Some(nodes) = nodes {
-                let columns: Vec<Column> = (0..BODY * self.bodies).map(|i| std::array::from_fn(|k| nodes[k][i])).collect();
+                let mut columns: Vec<Column> = vec![[0.0; N + 1]; BODY * self.bodies];
+                for (k, node) in nodes.iter().enumerate() {
+                    columns.iter_mut().zip(node).for_each(|(column, number)| column[k] = *number);
+                }
                 if self.is_resolved(&columns) {
                     return Some(Stretch { nodes, columns, half });
                 }
