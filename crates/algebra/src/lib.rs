@@ -3,7 +3,7 @@
 //!
 //! It knows no mechanics and no time, no words for users and no files: what goes wrong is a [`Trouble`], which its callers put into words.
 //!
-//! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits), [`lanes`] (several numbers at once, the only file that knows wide) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
+//! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits), [`lanes`], [`simd`] (several numbers at once, the only files that know wide and pulp) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
 //! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`], [`twofold`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`product`], [`certify`], [`polish`] (eigenproblems) -
 //! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`], [`sheet`] (what is dear, and many coefficients, over two parameters) - [`bernstein`], [`gauss`], [`simplex`], [`random`], [`arrange`] (lists).
 
@@ -37,6 +37,7 @@ pub mod random;
 pub mod refine;
 pub mod refined;
 pub mod sheet;
+pub mod simd;
 pub mod simplex;
 pub mod space;
 pub mod sparse;
