@@ -11,7 +11,7 @@
 //! Everything that can go wrong is a [`Fault`] with code, cause and cure. It knows no mechanics: what an expression means is nobody's business here.
 //!
 //! Rooms, in order of reading: `real`, `tape`, `builder`, `verify`, [`text`] (what a tape is) - [`lower`], [`passes`] (how expressions become one) - `interpret`, `abreast`, `solve`, `general`,
-//! `spare`, `rounding` (values) - `mode`, `guard` (switches) - `jets`, `tangent` (series, Jacobian) - [`curve`], `behind` (whether polynomials are what they stand for) -
+//! `spare`, `rounding` (values) - `mode`, `guard` (switches) - `jets`, `tangent` (series, Jacobian), [`ensemble`] (values and series of eight machines) - [`curve`], `behind` (whether polynomials are what they stand for) -
 //! `program`, `fault`.
 //!
 //! ```
@@ -61,6 +61,7 @@ mod abreast;
 mod behind;
 mod builder;
 pub mod curve;
+pub mod ensemble;
 mod fault;
 mod general;
 mod guard;

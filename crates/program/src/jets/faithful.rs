@@ -31,11 +31,11 @@ use algebra::elementary;
 
 /// An operation to be watched: c = f(a, b).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watched {
-    pub(super) curve: Curve,
-    pub(super) a: Row,
-    pub(super) b: Row,
-    pub(super) c: Row,
+pub(crate) struct Watched {
+    pub(crate) curve: Curve,
+    pub(crate) a: Row,
+    pub(crate) b: Row,
+    pub(crate) c: Row,
 }
 
 impl Watched {
@@ -45,11 +45,11 @@ impl Watched {
 }
 
 /// How much further than its polynomial a function may range without being looked at closely.
-const RATIO: f64 = 16.0;
+pub(crate) const RATIO: f64 = 16.0;
 /// Share of the distance to a singular point within which roots, powers, logarithms and quotients show their linear term.
-const NEAR: f64 = 0.4;
+pub(crate) const NEAR: f64 = 0.4;
 /// What is below this counts as zero.
-const NOTHING: f64 = 1e-100;
+pub(crate) const NOTHING: f64 = 1e-100;
 /// Deepest halving of a step in one look; a feature still narrower is found by the next one.
 const DEPTH: u32 = 20;
 /// Parts looked at to find the largest value of a function.
@@ -61,7 +61,7 @@ const LEAST_COUNT: usize = 6;
 
 /// Workspace of the check.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Watch {
+pub(crate) struct Watch {
     pub(super) nodes: Vec<Watched>,
     /// h^k.
     powers: Vec<f64>,
@@ -71,16 +71,16 @@ pub(super) struct Watch {
     /// Operations that had to be looked at closely.
     pub(super) looks: u64,
     /// Whether a root or power at zero was kept constant in the last check.
-    pub(super) held: bool,
+    pub(crate) held: bool,
 }
 
 impl Watch {
-    pub(super) fn new(nodes: Vec<Watched>, rows: usize) -> Watch {
+    pub(crate) fn new(nodes: Vec<Watched>, rows: usize) -> Watch {
         Watch { nodes, ways: vec![(0, 0.0); rows], ..Watch::default() }
     }
 
     /// The longest step, at most `h`, on which every operation is good; a power at zero asks for no less than `least`.
-    pub(super) fn faithful(&mut self, rows: Rows<'_>, mut h: f64, tolerance: f64, least: f64) -> f64 {
+    pub(crate) fn faithful(&mut self, rows: Rows<'_>, mut h: f64, tolerance: f64, least: f64) -> f64 {
         if rows.count < 2 || h.is_nan() || h <= 0.0 {
             return h;
         }

@@ -10,10 +10,10 @@
 //! what the forward copy holds beyond order k (finite leftovers of earlier expansions). Sums have a fixed order, so results are the
 //! same bits on every machine.
 
-mod faithful;
+pub(crate) mod faithful;
 mod plan;
 mod recurrences;
-mod steps;
+pub(crate) mod steps;
 
 use crate::guard::needed;
 use crate::interpret::defective;

@@ -3,7 +3,7 @@
 use crate::Unary;
 
 /// Number of a row.
-pub(super) type Row = u32;
+pub(crate) type Row = u32;
 
 /// One operation on rows.
 #[derive(Clone, Copy, Debug)]
@@ -42,12 +42,12 @@ pub(super) enum Step {
 
 /// Coefficients of rows and the step they are taken over.
 #[derive(Clone, Copy)]
-pub(super) struct Rows<'m> {
-    pub(super) cells: &'m [f64],
+pub(crate) struct Rows<'m> {
+    pub(crate) cells: &'m [f64],
     /// Distance of the beginnings of rows.
-    pub(super) stride: usize,
+    pub(crate) stride: usize,
     /// Coefficients 0..count are valid in every row.
-    pub(super) count: usize,
+    pub(crate) count: usize,
 }
 
 impl<'m> Rows<'m> {

@@ -5,6 +5,7 @@ mod common;
 
 mod conformance;
 mod connections;
+mod ensemble;
 mod jets;
 mod lowering;
 mod tangent;
