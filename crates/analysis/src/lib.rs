@@ -2,7 +2,7 @@
 //! implicit method for stiff motions beside it, and one file per study. Nothing here prints, writes files or knows mechanics.
 //!
 //! Rooms, in order of reading: [`system`], [`dataset`], [`reduce`], `naming`, [`fault`], [`explain`] (what is seen, what is told, what goes wrong) - [`connections`], [`machine`] (assembly; a program as a
-//! system) - [`integrate`] (steps, events, stiff motions) - [`proxies`], [`marks`], [`waveform`], [`peaks`] (quantities along a step) - [`audits`] - [`rest`] (equations of
+//! system) - [`integrate`] (steps, events, stiff motions) - `ensemble` (eight motions at a time) - [`proxies`], [`marks`], [`waveform`], [`peaks`] (quantities along a step) - [`audits`] - [`rest`] (equations of
 //! rest) - [`linear`] (small motions) - [`studies`], [`made`] (the studies of machines, compiled here once).
 
 // the same bits on every machine: see clippy.toml
@@ -11,6 +11,7 @@
 pub mod audits;
 pub mod connections;
 pub mod dataset;
+mod ensemble;
 pub mod explain;
 pub mod fault;
 pub mod integrate;

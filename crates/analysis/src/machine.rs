@@ -13,6 +13,7 @@ mod integrals;
 mod jolt;
 mod kept;
 mod known;
+pub(crate) mod lanes;
 mod leap;
 mod likely;
 mod meaning;

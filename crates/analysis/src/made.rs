@@ -10,15 +10,18 @@ use crate::studies::cycle::{Cycle, Running, running};
 use crate::studies::periodic::{self, Periodic, periodic};
 use crate::studies::poincare::{Poincare, poincare};
 use crate::studies::pushed::over_cycle;
-use crate::studies::simulate::{Outcome, Simulate, confirm, simulate};
+use crate::studies::simulate::{Made, Outcome, Simulate, Wanted, abreast, confirm, simulate};
 use crate::studies::stability::{Lyapunov, Options, Scalar, lyapunov, standing};
 use crate::studies::transient::{self, Transient, transient};
 use crate::{Fault, Machine};
+use std::sync::atomic::AtomicBool;
 use symbolic::Equations;
 use words::Text;
 
 /// A motion.
 pub static SIMULATE: fn(&mut Machine, &[f64], Simulate<'_>) -> Outcome = simulate::<Machine>;
+/// Many motions, eight at a time.
+pub static ABREAST: fn(&mut [Wanted<'_>], Option<&AtomicBool>) -> Vec<Made> = abreast;
 /// A motion once more, and which digits hold.
 pub static CONFIRM: fn(&mut Machine, &[f64], &mut Simulate<'_>, &mut Dataset) = confirm::<Machine>;
 /// The running of a cycle.

@@ -54,6 +54,13 @@ impl InteriorDefect {
         }
     }
 
+    /// What an ensemble has found over so many steps.
+    pub(crate) fn settle(&mut self, worst: f64, steps: u64) {
+        self.found = vec![Frontier::default()];
+        self.found[0].note(worst, 1.0);
+        self.steps = steps;
+    }
+
     /// Looks at one point of a step.
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;

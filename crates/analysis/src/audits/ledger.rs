@@ -135,6 +135,13 @@ impl Ledger {
         }
     }
 
+    /// What an ensemble has found over so many steps.
+    pub(crate) fn settle(&mut self, worst: f64, steps: u64) {
+        self.found = Frontier::default();
+        self.found.note(worst, 1.0);
+        self.steps = steps;
+    }
+
     /// The jump between the last step and the next is an impact: its energy is accounted for there.
     pub fn impact(&mut self) {
         self.impact = true;

@@ -76,6 +76,13 @@ impl ReleasedBalance {
         }
     }
 
+    /// Counts a step that would not be looked at; false where it is to be looked at.
+    pub(crate) fn passes_over(&mut self) -> bool {
+        let over = !self.known || !self.steps.is_multiple_of(self.stride);
+        self.steps += u64::from(over);
+        over
+    }
+
     /// Looks at the middle of a step; at every one of the first, then at every second, fourth, ...
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;

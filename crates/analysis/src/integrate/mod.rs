@@ -12,4 +12,5 @@ pub mod taylor;
 
 pub(crate) use series::Series;
 pub use step::Step;
-pub(crate) use step::increment_and_slope;
+pub(crate) use step::{FOUR_TURNS, UNIT_SHARE, increment_and_slope, taken};
+pub(crate) use taylor::{MOST_TURNS, Samples, is_smooth, note};

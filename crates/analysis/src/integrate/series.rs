@@ -27,6 +27,10 @@ impl Series {
         self.values.clear();
         self.stride = stride;
     }
+    /// Adds a whole row.
+    pub(super) fn extend(&mut self, row: impl Iterator<Item = f64>) {
+        self.values.extend(row);
+    }
     /// Adds a row; a shorter one is continued by zeros.
     pub(crate) fn push(&mut self, row: &[f64]) {
         let n = row.len().min(self.stride);

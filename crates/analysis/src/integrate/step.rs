@@ -14,7 +14,16 @@ const IN_IT: f64 = 1e-3;
 /// Share of the way to a change point, on both its sides, on which forces have fewer digits than audits ask for.
 const BESIDE: f64 = 0.7;
 /// Share of the largest component (or of the largest change) of a unit below which a smaller one of that unit is not resolved relatively.
-pub(in crate::integrate) const UNIT_SHARE: f64 = 1e-8;
+pub(crate) const UNIT_SHARE: f64 = 1e-8;
+
+/// 8π as a sum of two machine numbers.
+pub(crate) const FOUR_TURNS: [f64; 2] = [8.0 * std::f64::consts::PI, 8.0 * 1.224_646_799_147_353_2e-16];
+
+/// So many times four turns, high and low part.
+pub(crate) fn taken(count: f64) -> [f64; 2] {
+    let high = count * FOUR_TURNS[0];
+    [high, count.mul_add(FOUR_TURNS[0], -high) + count * FOUR_TURNS[1]]
+}
 
 /// Taylor polynomials of a step, x_i(start + tau) = sum_k c_ik tau^k for 0 <= tau <= length.
 #[derive(Clone, Debug, Default)]
@@ -57,6 +66,27 @@ impl Step {
         for i in 0..n_guards {
             self.guards.push(system.guard(i));
         }
+    }
+
+    /// Begins a step that comes from a lane of an ensemble: start, end and length.
+    pub(crate) fn begin_lane(&mut self, (start, ends, length): (Instant, Instant, f64), order: usize, modes: &[Mode]) {
+        (self.start, self.ends, self.length, self.order) = (start, ends, length, order);
+        self.modes.clear();
+        self.modes.extend_from_slice(modes);
+        self.states.reset(order + 1);
+        self.low.clear();
+        self.turned.clear();
+    }
+
+    /// Adds a state: its coefficients, and what rounding cut from its start.
+    pub(crate) fn push_lane(&mut self, coefficients: impl Iterator<Item = f64>, low: f64) {
+        self.states.extend(coefficients);
+        self.low.push(low);
+    }
+
+    /// Adds the whole turns that were taken off the next state, in units of four.
+    pub(crate) fn push_turns(&mut self, count: f64) {
+        self.turned.push(taken(count));
     }
 
     /// End of the step.

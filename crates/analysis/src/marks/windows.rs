@@ -12,6 +12,7 @@ use super::extremes::Extremes;
 use crate::dataset::{Extreme, Overall, Windowed};
 use crate::integrate::Step;
 use crate::{Fault, Quantity, System};
+use algebra::sum::Instant;
 
 /// Rounding of the sum of the lengths of steps.
 const SUMMED: f64 = 1e-9;
@@ -89,6 +90,11 @@ impl Windows {
                 part.extremes.look(&mut Along::part(step, system, [from.max(0.0), to.min(length)]));
             }
         }
+    }
+
+    /// Whether a window reaches into a step.
+    pub(crate) fn reach_into(&self, start: Instant, length: f64) -> bool {
+        self.parts.iter().any(|part| start.until(part.between[0]) < length && start.until(part.between[1]) > 0.0)
     }
 
     /// Outputs that could not be followed everywhere.

@@ -1,5 +1,6 @@
 //! Motion from given initial values.
 
+mod abreast;
 mod blows;
 mod bridge;
 mod options;
@@ -17,6 +18,7 @@ use run::Run;
 use words::Text;
 use words::limits::TOLERANCES;
 
+pub use abreast::{Made, Wanted, abreast, fits};
 pub(super) use options::{EVENTS, check, choose, requested, untraced};
 pub use options::{Grid, Kept, Outcome, Simulate, parts};
 

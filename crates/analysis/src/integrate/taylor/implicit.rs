@@ -49,7 +49,7 @@ pub(super) struct Implicit {
     pub(super) smooth_due: u64,
     pub(super) forced_due: u64,
     /// The last five samples: instant, state.
-    pub(super) samples: Vec<(Instant, Vec<f64>)>,
+    pub(super) samples: Samples,
 }
 
 impl Implicit {
@@ -121,26 +121,12 @@ impl Implicit {
         if !self.taken.is_multiple_of(APART) || self.method != Method::Auto {
             return;
         }
-        let mut slot = if self.samples.len() < 5 { (at, x.to_vec()) } else { self.samples.remove(0) };
-        slot.0 = at;
-        slot.1.copy_from_slice(x);
-        self.samples.push(slot);
+        note(&mut self.samples, at, x);
     }
 
     /// Whether the last sample is where the cubic through the four before leads.
     pub(super) fn is_smooth(&self) -> bool {
-        let [a, .., last] = &self.samples[..] else { return false };
-        if self.samples.len() < 5 {
-            return false;
-        }
-        let times: Vec<f64> = self.samples.iter().map(|s| a.0.until(s.0.high) + s.0.low).collect();
-        let smooth = |k: usize| {
-            let values: Vec<f64> = self.samples.iter().map(|s| s.1[k]).collect();
-            let change = values.iter().fold(0.0, |m: f64, v| m.max((v - values[0]).abs()));
-            let size = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-            (next_of_cubic(&times, &values) - last.1[k]).abs() <= SMOOTH * change + STILL * size
-        };
-        (0..last.1.len()).all(smooth)
+        is_smooth(&self.samples, STILL)
     }
 
     pub(super) fn refused(&mut self) {
@@ -164,6 +150,33 @@ impl Implicit {
             }
         }
     }
+}
+
+/// States at some instants of a motion.
+pub(crate) type Samples = Vec<(Instant, Vec<f64>)>;
+
+/// Takes a state among the last five.
+pub(crate) fn note(samples: &mut Samples, at: Instant, x: &[f64]) {
+    let mut slot = if samples.len() < 5 { (at, x.to_vec()) } else { samples.remove(0) };
+    slot.0 = at;
+    slot.1.copy_from_slice(x);
+    samples.push(slot);
+}
+
+/// Whether the last of five samples is where the cubic through the four before leads; a change below this share of its size is none.
+pub(crate) fn is_smooth(samples: &Samples, still: f64) -> bool {
+    let [a, .., last] = &samples[..] else { return false };
+    if samples.len() < 5 {
+        return false;
+    }
+    let times: Vec<f64> = samples.iter().map(|s| a.0.until(s.0.high) + s.0.low).collect();
+    let smooth = |k: usize| {
+        let values: Vec<f64> = samples.iter().map(|s| s.1[k]).collect();
+        let change = values.iter().fold(0.0, |m: f64, v| m.max((v - values[0]).abs()));
+        let size = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        (next_of_cubic(&times, &values) - last.1[k]).abs() <= SMOOTH * change + still * size
+    };
+    (0..last.1.len()).all(smooth)
 }
 
 /// Value at the last of five times of the cubic through the first four points.

@@ -36,8 +36,10 @@ use over::Passage;
 use passage::AWAY;
 
 pub use flow::Flow;
+pub(crate) use implicit::{Samples, is_smooth, note};
 pub use length::{HIGHEST_ORDER, order_for};
 pub use options::{Check, Options, Work, check_tolerance};
+pub(crate) use turns::MOST_TURNS;
 
 fn check_start<S: System + ?Sized>(system: &S, t: f64, x: &[f64]) -> Result<(), Fault> {
     match system.states().iter().zip(x).find(|(_, value)| !value.is_finite()) {

@@ -5,12 +5,11 @@
 
 use super::flow::Flow;
 use crate::System;
+use crate::integrate::step::{FOUR_TURNS, taken};
 use algebra::sum::two_sum;
 
-/// 8π as a sum of two machine numbers.
-const FOUR_TURNS: [f64; 2] = [8.0 * std::f64::consts::PI, 8.0 * 1.224_646_799_147_353_2e-16];
 /// More than so many at once would lose the digits that are to be kept.
-const MOST: f64 = 1024.0;
+pub(crate) const MOST_TURNS: f64 = 1024.0;
 
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Finds the angles to watch.
@@ -25,7 +24,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         for k in 0..self.freely.len() {
             let i = self.freely[k];
             let count = (self.x[i] / FOUR_TURNS[0]).trunc();
-            if count == 0.0 || count.abs() > MOST {
+            if count == 0.0 || count.abs() > MOST_TURNS {
                 continue;
             }
             // a whole number of at most 11 bits: the product is cut by less than an ulp of the large angle, which the remainder returns
@@ -41,8 +40,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// What was taken off state `i`.
     fn taken(&self, i: usize) -> [f64; 2] {
-        let high = self.turns[i] * FOUR_TURNS[0];
-        [high, self.turns[i].mul_add(FOUR_TURNS[0], -high) + self.turns[i] * FOUR_TURNS[1]]
+        taken(self.turns[i])
     }
 
     /// Tells the dense output of a step what was taken off.

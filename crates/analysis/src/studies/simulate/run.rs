@@ -124,19 +124,23 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// Every [`PACE`] steps: the steps that remain at the pace of the last ones.
     fn look<S: System + ?Sized>(&mut self, flow: &Flow<'_, S>, end: f64, most: f64) -> Result<(), Fault> {
-        if !flow.work().steps.is_multiple_of(PACE) {
-            return Ok(());
+        match self.is_hopeless((flow.work().steps, flow.time()), end, most) {
+            Some(step) => Err(Fault::too_many_steps(&flow.fastest(), flow.time(), step, self.remaining)),
+            None => Ok(()),
         }
-        let step = (flow.time() - self.before) / PACE as f64;
-        self.before = flow.time();
-        self.remaining = (end - flow.time()) / step;
-        self.hopeless = if flow.work().steps as f64 + self.remaining > most { self.hopeless + 1 } else { 0 };
-        if self.hopeless < PATIENCE {
-            return Ok(());
+    }
+
+    /// Every [`PACE`] steps: the steps that remain at the pace of the last ones, whose mean length is told where they are too many.
+    pub(super) fn is_hopeless(&mut self, (steps, time): (u64, f64), end: f64, most: f64) -> Option<f64> {
+        if !steps.is_multiple_of(PACE) {
+            return None;
         }
-        Err(Fault::too_many_steps(&flow.fastest(), flow.time(), step, self.remaining))
+        let step = (time - self.before) / PACE as f64;
+        self.before = time;
+        self.remaining = (end - time) / step;
+        self.hopeless = if steps as f64 + self.remaining > most { self.hopeless + 1 } else { 0 };
+        (self.hopeless >= PATIENCE).then_some(step)
     }
 }
 

@@ -1,0 +1,253 @@
+//! The length of a step in all lanes: the rule of `integrate::taylor` at a fixed order, since an order that followed one motion would be that of its neighbours.
+
+use crate::integrate::UNIT_SHARE;
+use crate::integrate::taylor::order_for;
+use algebra::elementary;
+use algebra::simd::{Lanes, Simd, Work, dispatch, largest as widest, largest_term, over, scaled, times};
+use program::ensemble::{Ensemble, LANES};
+
+/// See `integrate::taylor::length`.
+const SLACK: f64 = 4.0;
+/// Half a unit in the last place, halved again.
+const ROUNDING: f64 = 1.0 / (1u64 << 54) as f64;
+/// Changes of a length while it is sought.
+const SEARCHES: usize = 300;
+/// A share below this lets a step grow as far as one look allows.
+const NOTHING: f64 = 1e-300;
+/// Adding this leaves a whole number in the last bits.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+
+/// Tolerance, order and the numbers that follow from them.
+#[derive(Clone, Debug)]
+pub(crate) struct Lengths {
+    pub(super) tolerance: f64,
+    pub(super) order: usize,
+    /// Halves the truncation error.
+    safety: f64,
+    /// tol^(1/p).
+    root: f64,
+    /// Reciprocals of tol^(k/p) 4^(p-k), which the terms before the last two may reach.
+    per_bounds: Vec<f64>,
+    /// Index of the group with its unit, of each state.
+    group: Vec<usize>,
+    /// Largest change of each group.
+    largest: Vec<Lanes>,
+    /// A_i of the last call.
+    pub(super) scale: Vec<Lanes>,
+    powers: Vec<Lanes>,
+}
+
+impl Lengths {
+    pub(super) fn new(tolerance: f64, units: &[&str]) -> Lengths {
+        let order = order_for(tolerance);
+        let p = order as f64;
+        let root = elementary::pow(tolerance, 1.0 / p);
+        let mut names: Vec<&str> = Vec::new();
+        let group = units.iter().map(|unit| {
+            names.iter().position(|name| name == unit).unwrap_or_else(|| {
+                names.push(unit);
+                names.len() - 1
+            })
+        });
+        let group: Vec<usize> = group.collect();
+        let bounds: Vec<f64> =
+            (0..=order).map(|k| elementary::powi(root, k as i32) * elementary::powi(SLACK, (order - k) as i32)).collect();
+        Lengths {
+            per_bounds: bounds.iter().map(|bound| 1.0 / bound).collect(),
+            tolerance,
+            order,
+            safety: elementary::exp(-0.7 / (p - 1.0)),
+            root,
+            scale: vec![[0.0; LANES]; group.len()],
+            largest: vec![[0.0; LANES]; names.len()],
+            group,
+            powers: vec![[1.0; LANES]; order + 1],
+        }
+    }
+
+    /// Longest admissible steps, at most `limits`; a lane that is not `busy` has none.
+    pub(super) fn lengths(&mut self, series: &Ensemble, guesses: &Lanes, limits: &Lanes, busy: &[bool; LANES]) -> Lanes {
+        let mut open = *busy;
+        let mut h: Lanes = std::array::from_fn(|lane| guesses[lane].min(limits[lane]));
+        for _ in 0..SEARCHES {
+            let factors = dispatch(Growth { rule: self, series, h: &h });
+            for lane in 0..LANES {
+                if open[lane] {
+                    let next = (h[lane] * factors[lane]).min(limits[lane]);
+                    open[lane] = !(next <= 1.02 * h[lane] && next >= 0.98 * h[lane]) && next > 0.0;
+                    h[lane] = next;
+                }
+            }
+            if open == [false; LANES] {
+                break;
+            }
+        }
+        // the scales of a lane are those of its length, however long its neighbours were sought
+        dispatch(Growth { rule: self, series, h: &h });
+        let exceeds = dispatch(Excess { rule: self, series });
+        for lane in (0..LANES).filter(|lane| busy[*lane] && exceeds[*lane]) {
+            h[lane] = self.shortened(series, lane, h[lane]);
+        }
+        h
+    }
+
+    /// Shorter until no earlier term of a lane exceeds the majorant.
+    #[inline(never)]
+    fn shortened(&mut self, series: &Ensemble, lane: usize, mut h: f64) -> f64 {
+        for _ in 0..SEARCHES {
+            let Some(factor) = self.excess_of(series, lane) else { break };
+            h *= factor;
+            let kept: Vec<Lanes> = self.scale.clone();
+            let powers = self.powers.clone();
+            dispatch(Growth { rule: self, series, h: &[h; LANES] });
+            // the scales of the others are those of their own steps
+            for (scale, kept) in self.scale.iter_mut().zip(kept).chain(self.powers.iter_mut().zip(powers)) {
+                let own = scale[lane];
+                *scale = kept;
+                scale[lane] = own;
+            }
+        }
+        h
+    }
+
+    fn excess_of(&self, series: &Ensemble, lane: usize) -> Option<f64> {
+        let p = self.order;
+        let first = (p - p / 4 - 1).max(p / 2 + 1);
+        let mut worst: Option<f64> = None;
+        for (i, scale) in self.scale.iter().enumerate() {
+            let (c, a) = (series.state(i), scale[lane]);
+            for (k, c_k) in c.iter().enumerate().take(p - 1).skip(first) {
+                let term = c_k[lane].abs() * self.powers[k][lane];
+                if term * self.per_bounds[k] > a {
+                    let ratio = term / (elementary::powi(self.root, k as i32) * a);
+                    // once more with a step that is shorter for sure, and not by more than three decades at once
+                    let factor = elementary::pow(ratio, -1.0 / k as f64).clamp(1e-3, 0.9);
+                    worst = Some(worst.map_or(factor, |w| w.min(factor)));
+                }
+            }
+        }
+        worst
+    }
+}
+
+/// The factors by which steps may grow; leaves scales and powers of these steps.
+struct Growth<'a> {
+    rule: &'a mut Lengths,
+    series: &'a Ensemble,
+    h: &'a Lanes,
+}
+
+impl Work for Growth<'_> {
+    type Output = Lanes;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Lanes {
+        let Growth { rule, series, h } = self;
+        let p = rule.order;
+        for k in 1..rule.powers.len() {
+            rule.powers[k] = times(simd, &rule.powers[k - 1], h);
+        }
+        scales(simd, rule, series);
+        let (mut before, mut last) = ([0.0; LANES], [0.0; LANES]);
+        for (i, a) in rule.scale.iter().enumerate() {
+            let c = series.state(i);
+            for (most, k) in [(&mut before, p - 1), (&mut last, p)] {
+                let share = over(simd, &times(simd, &c[k], &rule.powers[k]), a);
+                *most = widest(simd, most, &share);
+            }
+        }
+        let mut factors = [0.0; LANES];
+        for lane in 0..LANES {
+            let factor = root(before[lane], (p - 1) as f64).min(root(last[lane], p as f64)) * rule.root;
+            // a guess far too long can overflow: come back by decades
+            factors[lane] = if before[lane] < f64::INFINITY && last[lane] < f64::INFINITY { (factor * rule.safety).min(1e3) } else { 1e-3 };
+        }
+        factors
+    }
+}
+
+/// A_i(h).
+#[inline(always)]
+fn scales<S: Simd>(simd: S, rule: &mut Lengths, series: &Ensemble) {
+    let p = rule.order;
+    let Lengths { scale, powers, largest: most, group, tolerance, .. } = rule;
+    most.fill([0.0; LANES]);
+    for ((i, scale), group) in scale.iter_mut().enumerate().zip(group.iter()) {
+        let c = series.state(i);
+        *scale = largest_term(simd, &c[1..=p / 2], &powers[1..=p / 2]);
+        if scale.contains(&0.0) {
+            let far = largest_term(simd, &c[p / 2 + 1..=p - 2], &powers[p / 2 + 1..=p - 2]);
+            (0..LANES).for_each(|lane| scale[lane] = if scale[lane] == 0.0 { far[lane] } else { scale[lane] });
+        }
+        most[*group] = widest(simd, &most[*group], scale);
+    }
+    for ((i, scale), group) in scale.iter_mut().enumerate().zip(group.iter()) {
+        let floor = widest(simd, &scaled(simd, UNIT_SHARE, &most[*group]), &scaled(simd, ROUNDING / *tolerance, &series.state(i)[0]));
+        // a state that does not move allows any step
+        *scale = widest(simd, &widest(simd, &[f64::MIN_POSITIVE; LANES], &floor), scale);
+    }
+}
+
+/// Lanes in which an earlier term exceeds the majorant of the steps last looked at.
+struct Excess<'a> {
+    rule: &'a Lengths,
+    series: &'a Ensemble,
+}
+
+impl Work for Excess<'_> {
+    type Output = [bool; LANES];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> [bool; LANES] {
+        let Excess { rule, series } = self;
+        let p = rule.order;
+        let first = (p - p / 4 - 1).max(p / 2 + 1);
+        let mut found = [false; LANES];
+        for (i, a) in rule.scale.iter().enumerate() {
+            let c = series.state(i);
+            // max |c_k| h^k / bound_k
+            let mut most = [0.0; LANES];
+            for (k, c_k) in c.iter().enumerate().take(p - 1).skip(first) {
+                most = widest(simd, &most, &scaled(simd, rule.per_bounds[k], &times(simd, c_k, &rule.powers[k])));
+            }
+            (0..LANES).for_each(|lane| found[lane] |= most[lane] > a[lane]);
+        }
+        found
+    }
+}
+
+/// x^(-1/k) to nine digits, which is more than the search asks for, without a branch: by the exponent of x, the series of artanh for its logarithm and that of the exponential.
+#[inline(always)]
+fn root(x: f64, k: f64) -> f64 {
+    const SQRT_2: u64 = 0x3ff6_a09e_667f_3bcd;
+    let x = x.clamp(NOTHING, 1.0 / NOTHING);
+    // x = m 2^e, m between √½ and √2
+    let e = (x.to_bits().wrapping_sub(SQRT_2) as i64 >> 52) + 1;
+    let m = f64::from_bits(x.to_bits().wrapping_sub((e << 52) as u64));
+    let s = (m - 1.0) / (m + 1.0);
+    let z = s * s;
+    let log = 2.0 * s * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0))))) + e as f64 * std::f64::consts::LN_2;
+    let y = -log / (k * std::f64::consts::LN_2);
+    let whole = (y + WHOLE).to_bits();
+    let f = (y - ((y + WHOLE) - WHOLE)) * std::f64::consts::LN_2;
+    let series = [1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0];
+    let power = series.iter().fold(0.0, |sum, c| sum * f + c);
+    power * f64::from_bits(whole.wrapping_add(1023) << 52)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root;
+
+    #[test]
+    fn roots_are_those_of_the_elementary_functions() {
+        for i in -400..400 {
+            let x = 10.0_f64.powf(0.37 * f64::from(i));
+            for k in [7.0, 20.0, 26.0] {
+                let exact = x.powf(-1.0 / k);
+                // nine digits
+                assert!((root(x, k) - exact).abs() <= 2e-9 * exact, "{x} {k}: {} {exact}", root(x, k));
+            }
+        }
+    }
+}
