@@ -52,6 +52,27 @@ def frame(o):
               f"{own[0]['memory_mb']:11.0f}{other[0]['memory_mb']:10.0f}{difference:12.1e}", flush=True)
 
 
+def sweep(o):
+    """Many motions of card P3: the whole process of `sweep` on one thread, with all checks of a motion, against heyoka's loop, four motions at a time, which has none."""
+    rows = 200
+    model = os.path.join(o.root, "gallery/pendulum-on-shaft/model.toml")
+    command = [o.strutt, "sweep", model, "--over", f"m=linspace(2 g, 60 g, {rows})", "--until", "30s", "--tolerance", "1e-9",
+               "--observe", "mean(phi', 20 s, 30 s)", "--threads", "1", "--csv"]
+    own, other, difference = [], [], 0.0
+    for _ in range(o.pairs):
+        took, csv = strutt(command)
+        found = peer("sweep_heyoka", rows, o.limit)
+        if found is None:
+            return print("\nsweep of card P3: over the limit")
+        own.append(1e3 * took / rows)
+        other.append(1e3 * found["run"] / rows)
+        means = [float(line.split(",")[1]) for line in csv.strip().splitlines()[1:]]
+        difference = max(abs(a / b - 1) for a, b in zip(means, found["means"]))
+    ratios = sorted(a / b for a, b in zip(own, other))
+    print(f"\nsweep of card P3, {rows} rows of 30 s, tolerance 1e-9, ms a row: strutt {statistics.median(own):.2f} (all checks), heyoka's batch of 4 {statistics.median(other):.2f} (none); "
+          f"strutt / heyoka {statistics.median(ratios):.1f}, least {ratios[0]:.1f}, most {ratios[-1]:.1f}; largest difference of the means {difference:.1e}", flush=True)
+
+
 def last_value(csv, name):
     rows = [line.split(",") for line in csv.strip().splitlines()]
     column = next(i for i, cell in enumerate(rows[0]) if cell.split(" ")[0] == name)
@@ -63,7 +84,7 @@ def main():
     options.add_argument("--strutt", required=True)
     options.add_argument("--root", required=True)
     options.add_argument("--frame", required=True, help="the example `frame` of strutt-analysis")
-    options.add_argument("--only", choices=["frame"], help="this part alone")
+    options.add_argument("--only", choices=["frame", "sweep"], help="this part alone")
     options.add_argument("--pairs", type=int, default=5)
     options.add_argument("--max-n", type=int, default=10, help="largest chain for the peers")
     options.add_argument("--limit", type=float, default=120, help="seconds for one peer's job")
@@ -76,6 +97,8 @@ def main():
 
     if o.only == "frame":
         return frame(o)
+    if o.only == "sweep":
+        return sweep(o)
     model = os.path.join(o.root, "gallery/pendulum-on-shaft/model.toml")
     command = [o.strutt, "simulate", model, "--until", "30s", "--tolerance", "1e-9", "--at", "30", "--outputs", "phi", "--csv"]
     print("pendulum on a shaft, 30 s, tolerance 1e-9 (strutt: whole process, file to CSV; a peer's set-up and run leave out the start of Python and the import)")
@@ -128,6 +151,7 @@ def main():
     print("\nderivation and lowering alone, without the process:", flush=True)
     subprocess.run(["cargo", "bench", "--quiet", "--manifest-path", os.path.join(o.root, "Cargo.toml"), "-p", "strutt", "--bench", "derivation"], check=False)
     frame(o)
+    sweep(o)
 
 
 if __name__ == "__main__":

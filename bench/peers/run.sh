@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The same jobs by strutt and by its peers, in one run, on this machine. Needs python3 and the network once (for the packages); never run by tests.
-#   bench/peers/run.sh [--pairs 5] [--max-n 10] [--limit 120] [--only frame]
+#   bench/peers/run.sh [--pairs 5] [--max-n 10] [--limit 120] [--only frame|sweep]
 # STRUTT_PEERS_VENV names a virtual environment that exists already.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

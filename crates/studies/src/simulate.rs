@@ -6,7 +6,7 @@ use crate::failure::{Failure, Misuse};
 use crate::machine::{Machine, explained};
 use crate::results::finite::checked;
 use crate::results::{Alone, Strips, fields, figures};
-use crate::watch::{Lap, Watch};
+use crate::watch::{Kept, Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::marks::windows::Window;
@@ -14,6 +14,7 @@ use analysis::studies::simulate::{Grid, Outcome, Simulate as Options};
 use mechanics::asked::{Asked, Kind, Value, Words};
 use mechanics::model::{Plot, Times};
 use serde_json::json;
+use std::sync::atomic::AtomicBool;
 use symbolic::Equations;
 use words::{Language, Notice, Printed};
 
@@ -66,16 +67,19 @@ impl Simulate {
     }
 }
 
-/// The options that the integrator gets.
-pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies::simulate::Simulate<'a> {
-    let grid = match &study.times {
+fn grid(times: &Times) -> Grid {
+    match times {
         Times::Automatic => Grid::Auto,
         Times::Every(step) => Grid::Every(*step),
         Times::At(times) => Grid::At(times.clone()),
-    };
+    }
+}
+
+/// The options that the integrator gets.
+pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies::simulate::Simulate<'a> {
     let progress = watch.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64));
     Options {
-        grid,
+        grid: grid(&study.times),
         tolerance: study.tolerance,
         method: study.method,
         outputs: Some(study.outputs.clone()),
@@ -85,6 +89,22 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
         check: watch.check,
         kept: watch.kept,
         progress,
+        ..Options::until(study.until)
+    }
+}
+
+/// The motion by itself, of which nothing is kept but numbers.
+pub(crate) fn numbers_only<'a>(machine: &Machine, study: &Simulate, interrupt: Option<&'a AtomicBool>) -> Options<'a> {
+    Options {
+        events: plan::events(&machine.model, &machine.equations),
+        pushes: plan::pushes(&machine.model, &machine.equations),
+        interrupt,
+        kept: Kept::Numbers,
+        grid: grid(&study.times),
+        tolerance: study.tolerance,
+        method: study.method,
+        outputs: Some(study.outputs.clone()),
+        windows: study.windows.clone(),
         ..Options::until(study.until)
     }
 }
@@ -249,6 +269,11 @@ fn followed(machine: &mut Machine, study: &Simulate, (works, rows): (&[String], 
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     };
     watch.lap(Lap::Run);
+    finding(machine, study, outcome)
+}
+
+/// What a motion has found.
+pub(crate) fn finding(machine: &Machine, study: &Simulate, outcome: Outcome) -> Results {
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     let own = json!({"until": study.until, "tolerance": study.tolerance, "method": study.method.name()});
     checked(Results {

@@ -1,4 +1,4 @@
-//! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
+//! The study `sweep`: another study repeated over values of parameters, starts or starting rates.
 
 mod rests;
 
@@ -6,6 +6,7 @@ use super::keys::OWN_PLOT;
 use super::{Extra, Finds, Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
+use crate::repeat::abreast::{self, Pace};
 use crate::repeat::course::Course;
 use crate::repeat::gathered::{Gathered, Row, partly_absent};
 use crate::repeat::journal::{self, Head};
@@ -223,9 +224,14 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     let mut data = Dataset { axis: (study.over.len() == 1).then_some(0), ..Dataset::default() };
     let mut rows = Gathered::new(machine, &study.over, wanted).with_regimes(&regimes);
     let start = At::given(machine, &place(&study.over, 0));
-    let (threads, spread) = (watch.threads.max(1), watch.spread);
-    let shared = Shared { threads, block: many::block(&repeated, &start, count), interrupt: watch.interrupt, spread };
-    let run = |at: &mut At, row: usize| Row::of(at, &repeated, place(&study.over, row), shared.interrupt);
+    let values = |row: usize| place(&study.over, row);
+    let pace = abreast::pace(&start, &repeated);
+    let block = if pace == Pace::InLanes { many::block_in_lanes(count) } else { many::block(count) };
+    let shared = Shared { threads: watch.threads.max(1), block, interrupt: watch.interrupt, spread: watch.spread };
+    let run = |at: &mut At, rows: std::ops::Range<usize>| match pace {
+        Pace::InLanes => abreast::rows(at, &repeated, (&values, rows), shared.interrupt),
+        _ => many::one_by_one(at, rows, shared.interrupt, &|at, row| Row::of(at, &repeated, values(row), shared.interrupt)),
+    };
     let shard = watch.shard.unwrap_or(journal::WHOLE);
     let head = Head::new(same(machine, study, &repeated), [count, shared.block], shard, (rows.own, &rows.columns)).with_regimes(regimes);
     let range = head.rows();
@@ -254,6 +260,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
     }
     data.notes.extend(part_of(shard, &range, count));
+    data.notes.extend(pace.note(range.len()));
     let mut without = rows.tell(&mut data, results, range.len());
     if machine.origin.studies.finds(base.kind) == Finds::Rest && study.over.len() == 1 {
         let changes = rests::remarks(&mut start.clone(), &repeated, &rows.columns[0].quantity, &rows.stands);

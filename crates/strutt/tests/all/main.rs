@@ -7,6 +7,7 @@ mod asked;
 mod binding;
 mod command_line;
 mod documents;
+mod ensembles;
 mod explanations;
 mod formats;
 mod hidden_reactions;

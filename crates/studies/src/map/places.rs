@@ -3,6 +3,7 @@
 use super::classes::{Classes, Judge};
 use crate::machine::Machine;
 use crate::provenance;
+use crate::repeat::abreast::{self, Pace};
 use crate::repeat::course::Course;
 use crate::repeat::gathered::{Gathered, Row};
 use crate::repeat::journal::{self, Head};
@@ -18,6 +19,8 @@ use words::{Notice, Text};
 
 /// Places that a thread takes at once.
 const BLOCK: usize = 4;
+/// The same of motions in lanes: a turn of all of them.
+const IN_LANES: usize = 8;
 
 /// Why a map ends early.
 #[derive(Debug)]
@@ -73,10 +76,15 @@ impl<'a, 'w> Places<'a, 'w> {
             self.rows.extend(fresh);
             return Ok(self.rows[first..].iter().map(|row| self.classes.of(row)).collect());
         }
-        let shared =
-            Shared { threads: self.watch.threads.max(1), block: BLOCK, interrupt: self.watch.interrupt, spread: self.watch.spread };
         let (ranges, repeated) = (self.ranges, self.repeated);
-        let run = |at: &mut At, row: usize| Row::of(at, repeated, values(ranges, places[row - first]), shared.interrupt);
+        let of_place = |row: usize| values(ranges, places[row - first]);
+        let pace = abreast::pace(&self.start, repeated);
+        let block = if pace == Pace::InLanes { IN_LANES } else { BLOCK };
+        let shared = Shared { threads: self.watch.threads.max(1), block, interrupt: self.watch.interrupt, spread: self.watch.spread };
+        let run = |at: &mut At, rows: std::ops::Range<usize>| match pace {
+            Pace::InLanes => abreast::rows(at, repeated, (&of_place, rows), shared.interrupt),
+            _ => many::one_by_one(at, rows, shared.interrupt, &|at, row| Row::of(at, repeated, of_place(row), shared.interrupt)),
+        };
         let end = first + places.len();
         while self.rows.len() < end {
             let from = self.rows.len();

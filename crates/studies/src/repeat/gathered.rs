@@ -69,6 +69,12 @@ impl Row {
     pub(crate) fn of(at: &mut At, repeated: &Repeated, values: Vec<(String, f64)>, interrupt: Option<&AtomicBool>) -> Row {
         let before = at.anew;
         let outcome = one(at, repeated, &values, &mut Watch { interrupt, ..Watch::default() });
+        let anew = at.anew - before;
+        Row::new(at, repeated, (values, anew), outcome)
+    }
+
+    /// Of what was found at a place; the file was read so often for it.
+    pub(super) fn new(at: &At, repeated: &Repeated, (values, anew): (Vec<(String, f64)>, usize), outcome: Result<Results, Notice>) -> Row {
         let audits = outcome.as_ref().ok().map(|finding| &finding.data.audits).filter(|audits| !audits.is_empty());
         let audit = audits.map(|audits| audits.iter().find(|a| !a.ok).cloned());
         let stands = outcome.as_ref().ok().and_then(|finding| stands::stands(&at.machine, &finding.data));
@@ -77,7 +83,7 @@ impl Row {
         let numbers: Result<Vec<_>, Notice> =
             outcome.and_then(|finding| repeated.noted.iter().map(|(_, wanted)| number(&finding, wanted)).collect());
         let regime = numbers.as_ref().ok().and_then(|found| regimes::of(&at.machine, &repeated.noted, found));
-        Row { values, numbers, audit, stands, anew: at.anew - before, regime, stable, resonance }
+        Row { values, numbers, audit, stands, anew, regime, stable, resonance }
     }
 }
 

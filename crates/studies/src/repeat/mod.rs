@@ -1,5 +1,6 @@
 //! A study that others repeat with other values of the machine: which of the file's it is, what is noted of it, and its run at one place.
 
+pub(crate) mod abreast;
 mod asking;
 mod base;
 pub(crate) mod course;

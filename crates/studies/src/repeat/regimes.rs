@@ -45,6 +45,13 @@ pub fn name(machine: &Machine, which: usize) -> Option<&str> {
     machine.model.regimes.get(which).map(|regime| regime.name.as_str())
 }
 
+/// Whether the numbers of all conditions are among those that are noted.
+pub(crate) fn are_noted(machine: &Machine, noted: &[Noted]) -> bool {
+    let regimes = &machine.model.regimes;
+    let is_noted = |text: &String| noted.iter().any(|(_, wanted)| wanted.to_string() == *text);
+    !regimes.is_empty() && regimes.iter().flat_map(|regime| &regime.numbers).all(|(text, _)| is_noted(text))
+}
+
 /// The regime of a study whose numbers are these; none where the file has no regimes, or one of their numbers is not noted or has no value.
 pub fn of(machine: &Machine, noted: &[Noted], found: &[(f64, Option<Quantity>)]) -> Option<usize> {
     let numbers: Vec<(String, f64)> = noted.iter().zip(found).map(|((_, wanted), (value, _))| (wanted.to_string(), *value)).collect();
