@@ -6,10 +6,13 @@
 
 use crate::integrate::crossings::Verdict;
 use crate::integrate::taylor::Flow;
+use crate::system::{Corner, Corners};
 use crate::{Fault, GuardKind, Mode, System};
 
 /// Most trials of shares at one instant.
 const TRIALS: usize = 2000;
+/// How much later corners and modes are asked for, in undisturbed steps.
+pub(super) const LATER: [f64; 3] = [0.0, 1e-6, 1e-3];
 /// Times that signs may follow each other: those of one friction, then those that its force changes.
 const SIGNS: usize = 4;
 
@@ -69,14 +72,17 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Tries the corners of the polyhedron of admissible reactions. Where there are none the machine is not held, and is asked for the modes that it takes; none
     /// where nothing is known.
     fn share_by_corners(&mut self, modes: &[Mode]) -> Result<Option<Verdict>, Fault> {
-        let relieved: Vec<usize> = (0..self.fired.len()).filter(|i| self.fired[*i]).collect();
-        let Some(corners) = self.system.shares(self.now.high, &self.base, modes, &relieved) else { return Ok(None) };
+        let Some(corners) = self.corners_later(modes, 0.0) else { return Ok(None) };
         let limits = corners.list.first().map(|corner| corner.limits.clone());
-        for corner in corners.list {
-            self.modes.copy_from_slice(modes);
-            self.carry_all();
-            corner.idle.iter().for_each(|(guard, mode)| self.modes[*guard] = *mode);
-            if self.attempt_with_signs()? == Verdict::Holds {
+        if self.holds_at_a_corner(modes, &corners.list)? {
+            return Ok(Some(Verdict::Holds));
+        }
+        // where more limits are met than have to be, those that stay met are the ones of a little later
+        for share in &LATER[1..] {
+            let later = self.corners_later(modes, share * self.natural);
+            if let Some(later) = later
+                && self.holds_at_a_corner(modes, &later.list)?
+            {
                 return Ok(Some(Verdict::Holds));
             }
         }
@@ -108,6 +114,28 @@ impl<S: System + ?Sized> Flow<'_, S> {
             verdict = self.attempt()?;
         }
         Ok(verdict)
+    }
+
+    /// Corners a little later, the machine going on as it does.
+    fn corners_later(&mut self, modes: &[Mode], ahead: f64) -> Option<Corners> {
+        let n = self.system.n_coordinates();
+        let mut x = self.base.clone();
+        (0..n).for_each(|j| x[j] += ahead * self.base[n + j]);
+        let relieved: Vec<usize> = (0..self.fired.len()).filter(|i| self.fired[*i]).collect();
+        self.system.shares(self.now.after(ahead).high, &x, modes, &relieved)
+    }
+
+    /// Whether the modes hold with the shares of one of these corners, which are then in force.
+    fn holds_at_a_corner(&mut self, modes: &[Mode], corners: &[Corner]) -> Result<bool, Fault> {
+        for corner in corners {
+            self.modes.copy_from_slice(modes);
+            self.carry_all();
+            corner.idle.iter().for_each(|(guard, mode)| self.modes[*guard] = *mode);
+            if self.attempt_with_signs()? == Verdict::Holds {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Contacts and frictions that repeat others in the present modes.

@@ -21,14 +21,11 @@ use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 use algebra::arrange::Arrange;
 
-use super::contacts;
+use super::contacts::{self, LATER};
 use crate::integrate::crossings::{Change, Impact, Switch, Verdict, opposite};
 
 /// Most combinations that are tried one by one.
 const COMBINED: usize = 3000;
-
-/// How much later proposals are asked for, in undisturbed steps.
-const LATER: [f64; 3] = [0.0, 1e-6, 1e-3];
 
 /// Share of the loads by which a limit may be exceeded where no set of modes keeps all laws to rounding: far below the limit of the audits.
 const NEARLY: f64 = 1e-11;

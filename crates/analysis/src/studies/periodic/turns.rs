@@ -200,8 +200,8 @@ pub(super) fn carried<S: System + ?Sized>(
     if repeats(system, (trial, elapsed), (period, &standing), known)? {
         return Ok(Some(standing));
     }
-    let open: Vec<usize> = (0..trial.first.len()).filter(|i| !(n..2 * n).contains(i) && known.turns.of(*i).is_none()).collect();
-    let angles: Vec<usize> = open.iter().copied().filter(|i| system.states()[*i].unit == "rad").collect();
+    let angle = |i: &usize| !(n..2 * n).contains(i) && system.states()[*i].unit == "rad" && known.turns.of(*i).is_none();
+    let angles: Vec<usize> = (0..trial.first.len()).filter(angle).collect();
     let of_motion: Vec<f64> = angles.iter().map(|&i| ((trial.last[i] - trial.first[i]) / elapsed * period / TAU).round()).collect();
     let mut tried = Vec::new();
     for counts in [of_motion, vec![1.0; angles.len()], vec![-1.0; angles.len()]] {
@@ -209,7 +209,7 @@ pub(super) fn carried<S: System + ?Sized>(
         angles.iter().zip(counts).for_each(|(&i, count)| velocities[i] = count * TAU / period);
         tried.push(velocities);
     }
-    let prescribed = prescribed(system, trial, period, (&open, known));
+    let prescribed = prescribed(system, trial, period, known);
     tried.push(with_them(&prescribed, known.loose));
     tried.push(prescribed);
     for velocities in tried.into_iter().filter(|velocities| velocities.iter().any(|v| *v != 0.0)) {
@@ -221,14 +221,15 @@ pub(super) fn carried<S: System + ?Sized>(
 }
 
 /// Mean velocities over a period of coordinates that conditions prescribe: moved, they go back to where they were.
-fn prescribed<S: System + ?Sized>(system: &mut S, trial: &Orbit, period: f64, (open, known): (&[usize], &Known<'_>)) -> Vec<f64> {
+fn prescribed<S: System + ?Sized>(system: &mut S, trial: &Orbit, period: f64, known: &Known<'_>) -> Vec<f64> {
     let (x, modes, mut velocities) = (&trial.first, &trial.modes[0], vec![0.0; trial.first.len()]);
     let begin = trial.steps.first().map_or(0.0, |s| s.start.high);
     let mut later = x.clone();
     if system.rejoin(begin + period, &mut later, modes, (begin, x)).is_err() {
         return velocities;
     }
-    for &i in open.iter().filter(|i| later[**i] != x[**i]) {
+    let n = system.n_coordinates();
+    for i in (0..n).filter(|i| later[*i] != x[*i]) {
         let mut aside = x.clone();
         aside[i] += ASIDE * known.scales[i];
         let back = system.rejoin(begin, &mut aside, modes, (begin, x)).is_ok();
