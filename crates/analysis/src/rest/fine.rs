@@ -149,13 +149,13 @@ impl<D: Digits> Eliminated<D> {
         let stride = self.w + 1;
         // a few rounds bring both to size one
         for _ in 0..4 {
-            for i in 0..self.m {
-                let most = (0..self.w).fold(0.0_f64, |most, j| most.max(self.a[i * stride + j].single().abs() * rows[i] * columns[j]));
-                rows[i] *= unit(most);
+            for (i, row) in rows.iter_mut().enumerate() {
+                let most = (0..self.w).fold(0.0_f64, |most, j| most.max(self.a[i * stride + j].single().abs() * *row * columns[j]));
+                *row *= unit(most);
             }
-            for j in 0..self.w {
-                let most = (0..self.m).fold(0.0_f64, |most, i| most.max(self.a[i * stride + j].single().abs() * rows[i] * columns[j]));
-                columns[j] *= unit(most);
+            for (j, column) in columns.iter_mut().enumerate() {
+                let most = (0..self.m).fold(0.0_f64, |most, i| most.max(self.a[i * stride + j].single().abs() * rows[i] * *column));
+                *column *= unit(most);
             }
         }
         (rows, columns)
@@ -366,10 +366,11 @@ fn ended(
         if step == 0.0 { 0.0 } else { step / (step + largest(z) + SINGLE * seen) }
     };
     let off = beside(&step[..n], &z[..n], seen[0]).max(beside(&step[n..], &z[n..], seen[1]));
-    if off > SETTLED && weakest > WEAK || off > SETTLED && off <= NEAR || bends(law, &z, n, here) {
+    let unsettled = off > SETTLED;
+    if unsettled && (weakest > WEAK || off <= NEAR) || bends(law, &z, n, here) {
         return Fine::Plain;
     }
-    if off > SETTLED {
+    if unsettled {
         return Fine::Nowhere;
     }
     // what has come down from far away to a rounding of the way is zero

@@ -246,7 +246,7 @@ const OSCILLATOR: &str = r#"
 m = "1 kg"
 c = "1 N/m"
 k = "1 N/m"
-p = "1 rad/s"
+p = "0.7 rad/s"
 [coordinates]
 x = { unit = "m", start = "c/k*1 [m]" }
 [bodies.a]

@@ -128,7 +128,7 @@ impl Found<'_> {
     fn clear(&self, change: &mut [f64]) {
         clear_shifts(&self.symmetry, change);
         let followers = &self.symmetry.followers;
-        if followers.is_empty() || self.free.len() == change.len() {
+        if followers.is_empty() || self.free.is_empty() || self.free.len() == change.len() {
             return;
         }
         let (rows, columns) = (self.coordinates, followers.len());

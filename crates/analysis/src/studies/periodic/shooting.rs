@@ -137,14 +137,19 @@ impl<'o> Shooting<'o> {
         let limit = Limit { time: period, listener: self.found.listener };
         let flow = Options { span: period, ..self.flow.clone() };
         let (orbit, _) = follow(system, x, &[Section::Time(period)], limit, &flow)?.ok_or_else(|| super::faults::unsettled(1.0, 1))?;
+        // what follows is told from what is free by the directions of the start
+        let (free, basis) = match self.found.symmetry.followers.is_empty() {
+            true => (Vec::new(), Vec::new()),
+            false => tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.found.scales, None, &self.found.symmetry)?,
+        };
         Ok(Turned(Found {
             orbit,
             coordinates: self.found.coordinates,
             scales: self.found.scales.clone(),
             symmetry: self.found.symmetry.clone(),
             loose: self.found.loose.clone(),
-            free: Vec::new(),
-            basis: Vec::new(),
+            free,
+            basis,
             turns: self.found.turns.clone(),
             carried: self.carried_in(period),
             shrunk: false,
