@@ -4,7 +4,6 @@ use super::repeated::Repeated;
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
-use crate::periodic::{self, Periodic};
 use crate::watch::{Kept, Watch};
 use crate::{Finds, Results};
 use mechanics::asked::Asked;
@@ -47,17 +46,9 @@ pub fn one(at: &mut At, repeated: &Repeated, values: &[(String, f64)], watch: &m
     // what is tuned is not the machine of the next place
     let mut own = base.has("wanted_period").then(|| machine.clone());
     let machine = own.as_mut().unwrap_or(machine);
-    let study = (base.kind == periodic::KIND.name).then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
     let mut inner = Watch { interrupt: watch.interrupt, kept: Kept::Numbers, ..Watch::default() };
-    let finding = match &study {
-        Some(study) => {
-            let outcome = periodic::regime(machine, study, &mut inner);
-            periodic::results(machine, study, outcome, None)
-        }
-        None => match run(machine, base, &mut inner) {
-            Some(finding) => finding,
-            None => return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
-        },
+    let Some(finding) = run(machine, base, &mut inner) else {
+        return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя"));
     };
     match &finding.trouble {
         Some(trouble) => Err(trouble.clone()),
