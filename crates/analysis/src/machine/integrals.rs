@@ -13,17 +13,13 @@ use program::{Evaluator, Point};
 
 use super::switches::Switches;
 use crate::Fault;
-use crate::waveform::{NODES, RULE};
+use crate::connections::way;
 use algebra::random::Random;
 
 /// Integral around a triangle, relative to its terms, that counts as none: quadrature leaves some units of the last place of terms that cancel.
 const CLOSED: f64 = 1e-9;
 /// Triangles that are gone around.
 const TRIANGLES: usize = 3;
-/// Change of an integral by halving its panels, relative to its terms, that ends the halving: a unit of the last place for each node.
-const SETTLED: f64 = NODES as f64 * f64::EPSILON;
-/// Panels at most: a way of thousands of turns has no integral that anybody waits for.
-const PANELS: usize = 1024;
 /// How far from a state corners of triangles lie: radians, seconds, shares of a length.
 const BESIDE: f64 = 0.3;
 
@@ -78,32 +74,12 @@ impl Rows<'_> {
         if time == 0.0 && way.iter().all(|d| *d == 0.0) {
             return Ok((0.0, 0.0));
         }
-        let mut integral = |panels: usize| -> Result<(f64, f64), Fault> {
-            let (mut sum, mut terms) = (0.0, 0.0);
-            for (panel, node) in (0..panels).flat_map(|panel| (0..NODES).map(move |node| (panel, node))) {
-                let s = (panel as f64 + 0.5 * (1.0 + RULE.x[node])) / panels as f64;
-                let at: Vec<f64> = from.1.iter().zip(&way).map(|(a, d)| a + s * d).collect();
-                let (levers, rest) = self.of(condition, (from.0 + s * time, &at))?;
-                let weight = 0.5 * RULE.w[node] / panels as f64;
-                for term in levers.iter().zip(&way).map(|(j, d)| weight * j * d).chain([weight * rest * time]) {
-                    sum += term;
-                    terms += term.abs();
-                }
-            }
-            Ok((sum, terms))
-        };
-        let mut before = integral(1)?.0;
-        let mut panels = 2;
-        loop {
-            let (value, terms) = integral(panels)?;
-            if (value - before).abs() <= SETTLED * terms || value == before {
-                return Ok((value, terms));
-            }
-            if panels >= PANELS {
-                return Err(Fault::not_finite(&words::Text::new("way of a connection", "путь связи"), to.0));
-            }
-            (before, panels) = (value, 2 * panels);
-        }
+        let found = way::integrals(to.0, |s| {
+            let at: Vec<f64> = from.1.iter().zip(&way).map(|(a, d)| a + s * d).collect();
+            let (levers, rest) = self.of(condition, (from.0 + s * time, &at))?;
+            Ok(vec![way::sum(levers.iter().zip(&way).map(|(j, d)| j * d).chain([rest * time]))])
+        })?;
+        Ok((found[0][0], found[0][1]))
     }
 
     /// What a condition keeps, by its numbers around an instant.

@@ -18,18 +18,13 @@ use symbolic::{Equations, Expr, Graph};
 
 use super::formulas::{at_rest, definitions, seeded};
 use crate::Fault;
-use crate::waveform::{NODES, RULE};
+use crate::connections::way::{integrals, sum};
 use algebra::random::Random;
 
 /// Difference of mixed derivatives, relative to the largest, that counts as none.
 const GRADIENT: f64 = 1e-9;
 /// Places at which derivatives are compared, besides the start.
 const LOOKS: usize = 4;
-/// Change of an integral by halving its panels, relative to its terms, that ends the halving.
-const SETTLED: f64 = 1e-14;
-/// Panels at most.
-const PANELS: usize = 1024;
-
 /// Conditions on rates and the way from the start.
 #[derive(Clone, Debug)]
 pub(super) struct Paths {
@@ -118,41 +113,13 @@ impl Paths {
         if way.iter().all(|d| *d == 0.0) {
             return Ok(vec![0.0; self.count]);
         }
-        let (mut before, _) = self.integral(&way, 1)?;
-        let mut panels = 2;
-        loop {
-            let (value, terms) = self.integral(&way, panels)?;
-            let settled = |c: usize| (value[c] - before[c]).abs() <= SETTLED * panels as f64 * terms[c];
-            if (0..self.count).all(settled) {
-                return Ok(value);
-            }
-            if panels >= PANELS {
-                return Err(Fault::not_finite(&words::Text::new("way of a connection", "путь связи"), 0.0));
-            }
-            (before, panels) = (value, 2 * panels);
-        }
-    }
-
-    /// The integrals by Gauss's rule on equal panels, and the sums of their absolute terms.
-    fn integral(&mut self, way: &[f64], panels: usize) -> Result<(Vec<f64>, Vec<f64>), Fault> {
-        let (n, count) = (self.n, self.count);
-        let (mut sum, mut terms) = (vec![0.0; count], vec![0.0; count]);
-        for panel in 0..panels {
-            for i in 0..NODES {
-                let s = (panel as f64 + 0.5 * (1.0 + RULE.x[i])) / panels as f64;
-                let at: Vec<f64> = self.anchor.iter().zip(way).map(|(a, d)| a + s * d).collect();
-                let values = self.values(&at)?;
-                let weight = 0.5 * RULE.w[i] / panels as f64;
-                for c in 0..count {
-                    for (j, d) in way.iter().enumerate() {
-                        let term = weight * values[c * n + j] * d;
-                        sum[c] += term;
-                        terms[c] += term.abs();
-                    }
-                }
-            }
-        }
-        Ok((sum, terms))
+        let (n, count, anchor) = (self.n, self.count, self.anchor.clone());
+        let found = integrals(0.0, |s| {
+            let at: Vec<f64> = anchor.iter().zip(&way).map(|(a, d)| a + s * d).collect();
+            let values = self.values(&at)?;
+            Ok(values.chunks_exact(n.max(1)).take(count).map(|row| sum(row.iter().zip(&way).map(|(j, d)| j * d))).collect())
+        })?;
+        Ok(found.iter().map(|[value, _]| *value).collect())
     }
 }
 
