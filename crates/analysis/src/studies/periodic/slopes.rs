@@ -86,6 +86,15 @@ pub(super) fn by_time(t: f64, period: f64, mut value: impl FnMut(f64) -> Result<
     Ok(best)
 }
 
+/// How derivatives are known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Known {
+    /// Up to rounding.
+    Exactly,
+    /// By differences.
+    Roughly,
+}
+
 /// Derivatives of the rates, then of the guards, by x and t: exact where the system knows them, otherwise central differences.
 pub(super) fn slopes<S: System + ?Sized>(
     system: &mut S,
@@ -93,9 +102,9 @@ pub(super) fn slopes<S: System + ?Sized>(
     modes: &[Mode],
     scales: &[f64],
     rows: &mut Vec<f64>,
-) -> Result<(), Fault> {
+) -> Result<Known, Fault> {
     if system.slopes(t, x, modes, rows)? {
-        return Ok(());
+        return Ok(Known::Exactly);
     }
     let mut values = |t: f64, x: &[f64]| {
         system.expand(t, x, modes, 1)?;
@@ -108,5 +117,5 @@ pub(super) fn slopes<S: System + ?Sized>(
     let by_time = derivative(&[t], &[1e-2 * (1.0 + t.abs())], |t| values(t[0], x))?;
     rows.clear();
     by_state.iter().zip(&by_time).for_each(|(row, time)| rows.extend(row.iter().chain(time)));
-    Ok(())
+    Ok(Known::Roughly)
 }

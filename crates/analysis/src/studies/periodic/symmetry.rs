@@ -5,7 +5,7 @@
 //! turns of angles.
 
 use super::orbit::Orbit;
-use super::slopes::{WIDTH, derivative, slopes};
+use super::slopes::{Known, WIDTH, derivative, slopes};
 use crate::{Fault, Mode, System};
 use algebra::qr::Qr;
 use algebra::random::Random;
@@ -16,6 +16,8 @@ const POINTS: usize = 12;
 const BESIDE: f64 = 0.05;
 /// Share of a row below which an entry is rounding of the differences.
 const NOISE: f64 = 1e-9;
+/// The same of exact derivatives, in which a solution of the balances leaves some hundred units of the last place: a spring of 10⁻¹⁰ of another one may alone hold a direction.
+const EXACT: f64 = 1e-12;
 /// Rounding of a difference of places, some units of the last place over its width, relative to the place beside its scale.
 const DIFFERENCE: f64 = 8.0 * f64::EPSILON / WIDTH;
 
@@ -77,18 +79,20 @@ pub(super) fn find<S: System + ?Sized>(
     let sizes: Vec<f64> = places.iter().map(|&i| scales[i]).chain([orbit.period]).collect();
     let columns = places.len() + 1;
     let samples = samples(system, orbit, scales);
-    let mut table = Table { samples, places: places.clone(), sizes: sizes.clone(), matrix: Vec::new(), norms: Vec::new() };
+    let mut table = Table { samples, places: places.clone(), sizes: sizes.clone(), noise: EXACT, matrix: Vec::new(), norms: Vec::new() };
     for k in 0..table.samples.len() {
         rows(system, k, scales, orbit.period, &mut table)?;
     }
+    let laws = table.norms.len();
     if reach == Reach::Possible {
         let own: Vec<usize> = (0..table.samples.len()).filter(|&k| table.samples[k].own).collect();
         for &k in own.iter().step_by(4) {
             conditions(system, k, scales, orbit.period, &mut table)?;
         }
     }
-    let qr = Qr::alike(&table.matrix, table.norms.len(), columns, NOISE);
-    let mut directions: Vec<Vec<f64>> = qr.null_space();
+    let (of_laws, of_conditions) = table.matrix.split_at(laws * columns);
+    let unfelt = Qr::alike(of_laws, laws, columns, table.noise).null_space();
+    let mut directions = within(unfelt, of_conditions);
     let rank = |direction: &[f64], k: usize| direction[k].abs();
     let keep = keep.and_then(|state| places.iter().position(|&i| i == state));
     let mut symmetry = Symmetry::default();
@@ -138,7 +142,9 @@ struct Table {
     places: Vec<usize>,
     /// Their scales, then that of time.
     sizes: Vec<f64>,
-    /// Row by row.
+    /// Share of a row of the laws below which an entry is rounding.
+    noise: f64,
+    /// Row by row: of the laws, then of the conditions.
     matrix: Vec<f64>,
     /// What each row was divided by.
     norms: Vec<f64>,
@@ -159,7 +165,11 @@ fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], perio
     let Sample { t, x, modes, .. } = &table.samples[sample];
     let values = laws(system, *t, x, modes)?;
     let mut slopes_of = Vec::new();
-    slopes(system, (*t, x), modes, scales, &mut slopes_of)?;
+    let noise = match slopes(system, (*t, x), modes, scales, &mut slopes_of)? {
+        Known::Exactly => EXACT,
+        Known::Roughly => NOISE,
+    };
+    table.noise = table.noise.max(noise);
     for (k, row) in slopes_of.chunks(x.len() + 1).skip(n).enumerate() {
         let (row, time) = row.split_at(x.len());
         if !row.iter().chain(time).all(|v| v.is_finite()) {
@@ -175,7 +185,7 @@ fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], perio
         };
         let norm = total.max(own).max(f64::MIN_POSITIVE);
         let entries = table.places.iter().map(|&i| row[i] * scales[i]).chain([time[0] * period]);
-        table.matrix.extend(entries.map(|e| e / norm).map(|e| if e.abs() < NOISE { 0.0 } else { e }));
+        table.matrix.extend(entries.map(|e| e / norm).map(|e| if e.abs() < noise { 0.0 } else { e }));
         table.norms.push(norm);
     }
     Ok(())
@@ -201,6 +211,24 @@ fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64],
         table.norms.push(1.0);
     }
     Ok(())
+}
+
+/// Those combinations of the directions that the conditions allow too. What these are known by, differences, must not decide what the laws feel.
+fn within(mut directions: Vec<Vec<f64>>, conditions: &[f64]) -> Vec<Vec<f64>> {
+    let Some(columns) = directions.first().map(Vec::len).filter(|_| !conditions.is_empty()) else { return directions };
+    for direction in &mut directions {
+        let size = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        direction.iter_mut().for_each(|v| *v /= size);
+    }
+    let rows: Vec<&[f64]> = conditions.chunks(columns).collect();
+    let part = |row: &[f64], direction: &Vec<f64>| row.iter().zip(direction).map(|(a, b)| a * b).sum::<f64>();
+    let moved: Vec<f64> = rows.iter().flat_map(|row| directions.iter().map(|direction| part(row, direction))).collect();
+    let largest = moved.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if largest <= NOISE {
+        return directions;
+    }
+    let combine = |shares: Vec<f64>| (0..columns).map(|i| shares.iter().zip(&directions).map(|(s, d)| s * d[i]).sum()).collect();
+    Qr::alike(&moved, rows.len(), directions.len(), NOISE / largest.min(1.0)).null_space().into_iter().map(combine).collect()
 }
 
 /// Takes out of the directions the one that is largest at `pivot`, normed to 1 there, and clears that entry of the others.
