@@ -2,7 +2,7 @@
 //!
 //! Given start values are kept; of the others as few as can be move (`choice.rs`), as little as possible (`closing.rs`). Then the conditions are compared with one
 //! another (`rank.rs`): one that repeats others is left out with its reaction, and reactions that share a load in a way that rigid bodies
-//! leave open are marked as not unique. What a condition on rates gives along a way stands in `way.rs`.
+//! leave open are marked as not unique. What a condition on rates gives along a way stands in `way.rs` and `surface.rs`.
 
 mod apart;
 mod bench;
@@ -14,6 +14,7 @@ mod lowered;
 mod piecewise;
 mod rank;
 mod starts;
+pub(crate) mod surface;
 pub(crate) mod way;
 
 use std::sync::Arc;

@@ -1,7 +1,8 @@
 //! A state of a machine on what its conditions on rates have kept since another one: see `integrals.rs`.
 
 use super::conditions::{Conditions, Holds, Row};
-use super::integrals::{Form, Instant, Rows};
+use super::integrals::{Form, Rows};
+use crate::connections::surface::Instant;
 use crate::{Fault, Mode};
 use program::Bound;
 
@@ -37,6 +38,8 @@ impl Conditions {
         self.sides.set(modes, bound);
         let base = (t, x[..self.n].to_vec());
         if self.kept.forms.is_none() {
+            let placed = self.rows.iter().filter(|row| row.has_place && row.holds == Holds::Always);
+            self.kept.surface = placed.map(|row| row.condition).collect();
             let asked = |row: &Row| !row.has_place && row.holds == Holds::Always;
             let asked: Vec<Option<usize>> = self.rows.iter().map(|row| asked(row).then_some(row.condition)).collect();
             let mut rows = self.still();
@@ -65,6 +68,7 @@ impl Conditions {
         match form {
             Form::None => Ok(0.0),
             Form::Integral => Ok(self.still().along(condition, (from, to))?.0),
+            Form::Within => Ok(self.still().within(condition, (from, to))?.0),
             Form::Constant => {
                 let mut rows = self.still();
                 let (levers, _) = rows.of(condition, (from.0, &from.1))?;
@@ -76,8 +80,8 @@ impl Conditions {
     }
 
     fn still(&mut self) -> Rows<'_> {
-        let at = [self.roots.jacobian.start, self.roots.rates.start];
-        Rows { evaluator: &mut self.evaluator, sides: &self.sides, at, n: self.n }
+        let at = [self.roots.jacobian.start, self.roots.rates.start, self.roots.places.start];
+        Rows { evaluator: &mut self.evaluator, sides: &self.sides, at, surface: &self.kept.surface, n: self.n }
     }
 
     /// Whether a row has a place now: its own, or one that is counted.

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! A condition whose J is no gradient (a skate, rolling in space) leads to different places along different ways: where the machine rests depends on how it
-//! came there.
+//! came there. Rolling on a circle in x, y and an angle is a gradient only for changes that keep to the circle: of such a condition the mixed derivatives agree on all pairs of
+//! directions in which the conditions on places let the machine move, and its ways lie on their surface ([`crate::connections::surface`]).
 
 use std::sync::Arc;
 
@@ -18,13 +19,28 @@ use symbolic::{Equations, Expr, Graph};
 
 use super::formulas::{at_rest, definitions, seeded};
 use crate::Fault;
+use crate::connections::surface::{Instant, Slopes, Ways};
 use crate::connections::way::{integrals, sum};
+use algebra::qr::{DEPENDENT, Qr};
 use algebra::random::Random;
+use algebra::vectors::norm;
 
 /// Difference of mixed derivatives, relative to the largest, that counts as none.
 const GRADIENT: f64 = 1e-9;
 /// Places at which derivatives are compared, besides the start.
 const LOOKS: usize = 4;
+
+/// Where a condition on rates leads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Leads {
+    /// To a place that depends on the way.
+    Anywhere,
+    /// To the place that the straight way gives.
+    Straight,
+    /// To that of ways on which the conditions on places hold.
+    Within,
+}
+
 /// Conditions on rates and the way from the start.
 #[derive(Clone, Debug)]
 pub(super) struct Paths {
@@ -32,19 +48,32 @@ pub(super) struct Paths {
     evaluator: Evaluator,
     n: usize,
     count: usize,
+    /// Number of conditions on places.
+    placed: usize,
     anchor: Vec<f64>,
-    /// Which of the conditions have a place.
-    pub exact: Vec<bool>,
+    leads: Vec<Leads>,
 }
 
 impl Paths {
-    /// Of these conditions, with the start.
+    /// Of these conditions on rates, beside those on places, with the start.
     ///
     /// *Errors*: a formula without a value at the start.
-    pub(super) fn new(equations: &Equations, conditions: &[usize], parameters: &[f64], start: &[f64]) -> Result<Paths, Fault> {
+    pub(super) fn new(
+        equations: &Equations,
+        (conditions, placed): (&[usize], &[usize]),
+        parameters: &[f64],
+        start: &[f64],
+    ) -> Result<Paths, Fault> {
         let n = equations.coordinates.len();
         let mut graph = equations.graph.clone();
-        let roots = roots(equations, conditions, &mut graph);
+        let mut roots = roots(equations, conditions, &mut graph);
+        let zero = graph.zero();
+        roots.extend(placed.iter().map(|c| equations.conditions[*c].place.unwrap_or(zero)));
+        for c in placed {
+            let mut row = vec![zero; n];
+            equations.conditions[*c].columns.iter().for_each(|(j, e)| row[*j] = *e);
+            roots.extend(row);
+        }
         let named: Vec<(String, Expr)> = roots.iter().enumerate().map(|(i, e)| (format!("path {}", i + 1), *e)).collect();
         let rates = equations.coordinates.iter().flat_map(|c| [c.symbols[1], c.symbols[2]]);
         let inputs = Inputs {
@@ -57,8 +86,16 @@ impl Paths {
         let tape = Arc::new(lower::expressions(&graph, "paths", &inputs, &named)?);
         let evaluator = Evaluator::new(&tape, parameters)?;
         let count = conditions.len();
-        let mut paths = Paths { tape, evaluator, n, count, anchor: start[..n].to_vec(), exact: vec![true; count] };
-        paths.exact = paths.gradients()?;
+        let (placed, anchor) = (placed.len(), start[..n].to_vec());
+        let mut paths = Paths { tape, evaluator, n, count, placed, anchor, leads: Vec::new() };
+        let straight = paths.gradients()?;
+        let within = if straight.iter().all(|exact| *exact) { vec![false; count] } else { paths.gradients_within() };
+        let lead = |(straight, within): (&bool, &bool)| match (straight, within) {
+            (true, _) => Leads::Straight,
+            (false, true) => Leads::Within,
+            (false, false) => Leads::Anywhere,
+        };
+        paths.leads = straight.iter().zip(&within).map(lead).collect();
         Ok(paths)
     }
 
@@ -74,6 +111,11 @@ impl Paths {
     /// The start.
     pub(super) fn anchor(&self) -> &[f64] {
         &self.anchor
+    }
+
+    /// Whether each of the conditions says where the machine can be.
+    pub(super) fn exact(&self) -> impl Iterator<Item = bool> {
+        self.leads.iter().map(|leads| *leads != Leads::Anywhere)
     }
 
     fn values(&mut self, q: &[f64]) -> Result<Vec<f64>, Fault> {
@@ -95,14 +137,48 @@ impl Paths {
                 Err(fault) if look == 0 => return Err(fault),
                 Err(_) => continue,
             };
-            let (_, mixed) = values.split_at(count * n);
-            for (c, by) in mixed.chunks_exact(n * n).enumerate() {
+            let mixed = &values[count * n..count * n * (n + 1)];
+            for (c, by) in mixed.chunks_exact((n * n).max(1)).enumerate() {
                 let largest = by.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
                 let agree = |p: usize| (by[p] - by[(p % n) * n + p / n]).abs() <= GRADIENT * largest;
                 exact[c] &= (0..n * n).all(agree);
             }
         }
         Ok(exact)
+    }
+
+    /// The same on pairs of directions that the conditions on places allow, at the start and at places around it on which these hold.
+    fn gradients_within(&mut self) -> Vec<bool> {
+        let (n, count) = (self.n, self.count);
+        let mut exact = vec![self.placed > 0; count];
+        let mut looked = 0;
+        let mut random = Random::new(31);
+        for look in 0..=LOOKS {
+            let mut q = self.anchor.clone();
+            if look > 0 {
+                q.iter_mut().for_each(|v| *v += random.between(-0.3, 0.3) * v.abs().max(1.0));
+            }
+            let mut at = |instant: &Instant| self.slopes(instant);
+            let Ok(((_, q), slopes)) = (Ways { at: &mut at }).onto(&(0.0, q)) else { continue };
+            let Ok(values) = self.values(&q) else { continue };
+            looked += 1;
+            let free = Qr::alike(&slopes.gradients, self.placed, n, DEPENDENT).null_space();
+            for (c, by) in values[count * n..count * n * (n + 1)].chunks_exact((n * n).max(1)).enumerate() {
+                let largest = by.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+                let form = |u: &[f64], v: &[f64]| (0..n * n).map(|p| u[p / n] * by[p] * v[p % n]).sum::<f64>();
+                let agree = |u: &Vec<f64>, v: &Vec<f64>| (form(u, v) - form(v, u)).abs() <= GRADIENT * largest * norm(u) * norm(v);
+                exact[c] &= free.iter().enumerate().all(|(k, u)| free[..k].iter().all(|v| agree(u, v)));
+            }
+        }
+        if looked > 0 { exact } else { vec![false; count] }
+    }
+
+    fn slopes(&mut self, (_, q): &Instant) -> Result<Slopes, Fault> {
+        let (n, count, placed) = (self.n, self.count, self.placed);
+        let values = self.values(q)?;
+        let rows = values[..count * n].chunks_exact(n.max(1)).map(|row| [row, &[0.0]].concat()).collect();
+        let places = &values[count * n * (n + 1)..];
+        Ok(Slopes { rows, places: places[..placed].to_vec(), gradients: places[placed..].to_vec() })
     }
 
     /// c(q) of each condition.
@@ -119,7 +195,14 @@ impl Paths {
             let values = self.values(&at)?;
             Ok(values.chunks_exact(n.max(1)).take(count).map(|row| sum(row.iter().zip(&way).map(|(j, d)| j * d))).collect())
         })?;
-        Ok(found.iter().map(|[value, _]| *value).collect())
+        let within = if self.leads.contains(&Leads::Within) {
+            let mut at = |instant: &Instant| self.slopes(instant);
+            Ways { at: &mut at }.integrals(&(0.0, anchor), &(0.0, q.to_vec()))?
+        } else {
+            found.clone()
+        };
+        let of = |(slot, leads): (usize, &Leads)| if *leads == Leads::Within { within[slot][0] } else { found[slot][0] };
+        Ok(self.leads.iter().enumerate().map(of).collect())
     }
 }
 
@@ -162,5 +245,6 @@ pub fn all_places(equations: &Equations, parameters: &[f64], q: &[f64]) -> Resul
     if !rates.iter().all(homogeneous) {
         return Ok(false);
     }
-    Ok(rates.is_empty() || Paths::new(equations, &rates, parameters, q)?.exact.iter().all(|e| *e))
+    let placed: Vec<usize> = (0..equations.conditions.len()).filter(|c| equations.conditions[*c].place.is_some()).collect();
+    Ok(rates.is_empty() || Paths::new(equations, (&rates, &placed), parameters, q)?.exact().all(|exact| exact))
 }

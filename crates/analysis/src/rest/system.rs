@@ -188,7 +188,8 @@ impl RestSystem {
     pub fn anchored(mut self, equations: &Equations, start: &[f64]) -> Result<RestSystem, Fault> {
         let rates: Vec<usize> = (0..self.conditions.len()).filter(|c| self.rate_only[*c]).map(|c| self.conditions[c]).collect();
         if !rates.is_empty() {
-            self.paths = Some(Paths::new(equations, &rates, &self.values, start)?);
+            let placed: Vec<usize> = (0..self.conditions.len()).filter(|c| !self.rate_only[*c]).map(|c| self.conditions[c]).collect();
+            self.paths = Some(Paths::new(equations, (&rates, &placed), &self.values, start)?);
         }
         Ok(self)
     }
@@ -207,7 +208,7 @@ impl RestSystem {
 
     /// Whether a condition on rates, counted among those alone, leads to a place.
     pub(super) fn leads_to_place(&self, slot: usize) -> bool {
-        self.paths.as_ref().is_some_and(|p| p.exact[slot])
+        self.paths.as_ref().and_then(|p| p.exact().nth(slot)) == Some(true)
     }
 
     /// From where conditions on rates are counted.
@@ -223,8 +224,8 @@ impl RestSystem {
     /// Conditions on rates that are not integrable, by index in the equations.
     pub fn wandering(&self) -> Vec<usize> {
         let rates = (0..self.conditions.len()).filter(|c| self.rate_only[*c]).map(|c| self.conditions[c]);
-        let exact = self.paths.iter().flat_map(|p| &p.exact);
-        rates.zip(exact).filter(|(_, exact)| !**exact).map(|(c, _)| c).collect()
+        let exact = self.paths.iter().flat_map(Paths::exact);
+        rates.zip(exact).filter(|(_, exact)| !exact).map(|(c, _)| c).collect()
     }
 
     /// The sizes of the coordinates at a place.
@@ -288,7 +289,7 @@ impl RestSystem {
         };
         for (slot, c) in (0..places.len()).filter(|c| self.rate_only[*c]).enumerate() {
             (0..n).for_each(|j| places[c].slopes[j] = jacobian[slot * n + j].value);
-            if self.paths.as_ref().is_some_and(|p| p.exact[slot]) {
+            if self.paths.as_ref().and_then(|p| p.exact().nth(slot)) == Some(true) {
                 places[c].value = integrals[slot];
             }
         }

@@ -82,6 +82,9 @@ struct Reduced {
     moment: f64,
     /// Sum of the moments that meet in it, without signs.
     terms: f64,
+    /// The part of the moment that comes from no potential, and the same sum of it.
+    driven: f64,
+    fed: f64,
     /// dφ/dt of the motion that led here.
     rate: f64,
 }
@@ -99,15 +102,18 @@ pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opt
         sum.add(machine, step, *length, options)?;
     }
     sum.finish(machine, &steps, options)?;
-    let Sum { work, inertia, angle, .. } = sum;
+    let Sum { inertia, angle, .. } = sum;
     let parts = std::mem::take(&mut sum.parts);
     // where moments cancel all the way, what is left of them is their rounding
-    let size = sum.size.max(SHARE * sum.terms * options.range.abs());
+    let passes = |size: f64, terms: f64| size.max(SHARE * terms * options.range.abs());
+    let whole = [sum.work, passes(sum.size, sum.terms)];
+    let driven = [sum.fed.work, passes(sum.fed.size, sum.fed.terms)];
+    let [work, size] = sum.fed.with_potential(driven[1]);
     let mut dataset = sum.dataset(&*machine.own, options);
     dataset.notes.extend(rubs.then(pressed));
     let range = dataset.extreme("A").map_or([0.0; 2], |e| [e.min.min(0.0), e.max.max(0.0)]);
     dataset.audits.push(periodic_inertia(machine, &steps, options)?);
-    dataset.audits.push(same_work(machine, (&steps, &parts), (work, size), options)?);
+    dataset.audits.push(same_work(machine, (&steps, &parts), [whole, driven], options)?);
     Ok(Balance { work, size, inertia: inertia / angle, excess: range[1] - range[0], dataset })
 }
 
@@ -120,7 +126,7 @@ pub fn work<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opti
     for (step, length) in &steps {
         sum.add(&mut machine, step, *length, options)?;
     }
-    Ok([sum.work, sum.size])
+    Ok(sum.fed.with_potential(sum.fed.size))
 }
 
 /// A machine, and the steps that lead through its cycle.
@@ -159,6 +165,17 @@ impl<S: System + ?Sized> Pair<'_, S> {
             None => own.dissipated,
         };
         Ok(Power { loads: own.loads, dissipated, rate: self.rate(t, x, accelerations, modes)? })
+    }
+
+    /// Potential energy at tau in a step.
+    fn potential(&mut self, step: &Step, tau: f64, options: &Cycle) -> Result<Potential, Fault> {
+        let t = step.instant(tau).high;
+        let mut x = vec![0.0; self.own.states().len()];
+        step.state_at(t, &mut x);
+        let [_, energy] = self.own.energies(t, &x, &step.modes).ok_or_else(no_energies)?;
+        let Reduced { moment, driven, .. } = reduced(self, step, tau, options)?;
+        // the angle of the end is known to the rounding of the way there
+        Ok(Potential { energy, known: ROUNDING * (energy.abs() + ((moment - driven) * options.range).abs()) })
     }
 
     /// dE/dt.
@@ -236,16 +253,17 @@ fn periodic_inertia<S: System + ?Sized>(machine: &mut Pair<'_, S>, steps: &[(Ste
 /// ∮ M dφ = ∫ (loads - dissipated - dE/dt) dt + [T]         for a shaft that turns at any rate
 /// ```
 ///
-/// provided that the loads do not feel the rate; the check is made where the motion is the uniform one.
+/// provided that the loads do not feel the rate; the check is made where the motion is the uniform one. What comes from no potential is compared by itself, too: beside a stiff spring
+/// the work of the loads is less than the rounding of all that passes.
 fn same_work<S: System + ?Sized>(
     machine: &mut Pair<'_, S>,
     (steps, parts): (&[(Step, f64)], &[Vec<f64>]),
-    (work, size): (f64, f64),
+    [whole, driven]: [[f64; 2]; 2],
     options: &Cycle,
 ) -> Result<Audit, Fault> {
     let (n, n_x) = (machine.own.n_coordinates(), machine.own.states().len());
     let (mut x, mut slope) = (vec![0.0; n_x], vec![0.0; n_x]);
-    let (mut again, mut uneven) = (0.0, 0.0_f64);
+    let (mut again, mut fed, mut uneven) = (0.0, 0.0, 0.0_f64);
     let mut kinetic: [Option<f64>; 2] = [None, None];
     for ((step, length), ends) in steps.iter().zip(parts) {
         let whole: Vec<f64> = (1..=CHECK).map(|k| length * k as f64 / CHECK as f64).collect();
@@ -261,6 +279,7 @@ fn same_work<S: System + ?Sized>(
                 uneven = uneven.max((x[n + options.angle] / options.rate - 1.0).abs());
                 let p = machine.power(t, &x, &slope[n..2 * n], &step.modes)?;
                 again += 0.5 * part * weight * (p.loads - p.dissipated - p.rate);
+                fed += 0.5 * part * weight * (p.loads - p.dissipated);
             }
             from = to;
         }
@@ -278,7 +297,8 @@ fn same_work<S: System + ?Sized>(
         "работа за цикл по мощностям равномерного движения: относительное расхождение",
     );
     // a shaft that could not be held to the uniform rate has another motion
-    let off = if uneven > 1e-9 { 0.0 } else { (again + gained - work).abs() / size.max(f64::MIN_POSITIVE) };
+    let apart = |found: f64, [work, size]: [f64; 2]| (found - work).abs() / size.max(f64::MIN_POSITIVE);
+    let off = if uneven > 1e-9 { 0.0 } else { apart(again + gained, whole).max(apart(fed, driven)) };
     // a cycle that closes leaves rounding; one that does not is off by its play
     Ok(Audit::at_most("work_of_uniform_motion", name, off, 1e-9))
 }
@@ -324,11 +344,12 @@ pub(super) fn place(step: &Step, j: usize, tau: f64) -> f64 {
 /// The reduced machine at tau in a step. Where a change point is passed the accelerations follow from no equation, and what is smooth there from both sides.
 fn reduced<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
     let Some(around) = step.around_change_point(tau) else { return plainly(machine, step, tau, options) };
-    let row = |r: Reduced| vec![r.inertia, r.slope, r.moment, r.terms];
+    let row = |r: Reduced| vec![r.inertia, r.slope, r.moment, r.terms, r.driven, r.fed];
     let bridge = Bridge::new(around, |tau| plainly(machine, step, tau, options).map(row))?;
     let rate = step.value_after(machine.own.n_coordinates() + options.angle, tau);
     let value = |column: usize| bridge.value(column, tau).ok_or_else(no_energies);
-    Ok(Reduced { inertia: value(0)?, slope: value(1)?, moment: value(2)?, terms: value(3)?, rate })
+    let [inertia, slope, moment, terms, driven, fed] = [value(0)?, value(1)?, value(2)?, value(3)?, value(4)?, value(5)?];
+    Ok(Reduced { inertia, slope, moment, terms, driven, fed, rate })
 }
 
 fn plainly<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
@@ -357,6 +378,8 @@ fn plainly<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64,
     let potential = uniform.rate - kinetic;
     let terms = (uniform.loads.abs() + uniform.dissipated.abs() + potential.abs() + kinetic.abs()) / w.abs();
     let moment = (uniform.loads - uniform.dissipated - potential) / w;
+    let fed = (uniform.loads.abs() + uniform.dissipated.abs()) / w.abs();
+    let driven = (uniform.loads - uniform.dissipated) / w;
     let (inertia, slope) = ((pushed - still) / w, 2.0 * kinetic / (w * w * w));
     Ok(Reduced {
         inertia,
@@ -364,6 +387,8 @@ fn plainly<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64,
         slope: if slope.abs() <= FLAT * inertia.abs() { 0.0 } else { slope },
         moment: if moment.abs() <= ROUNDING * terms { 0.0 } else { moment },
         terms,
+        driven: if driven.abs() <= ROUNDING * fed { 0.0 } else { driven },
+        fed,
         rate,
     })
 }
@@ -392,10 +417,11 @@ fn not_turning(name: &str) -> Fault {
     })
 }
 
-/// What a piece holds: J, dJ/dφ, M, then the integrands M φ', J φ'.
+/// What a piece holds: J, dJ/dφ, M, then the integrands M φ', J φ', and that of the work of what has no potential.
 const COLUMNS: usize = 3;
 const POWER: usize = 3;
 const TURNED: usize = 4;
+const DRIVEN: usize = 5;
 
 /// Sums over the cycle, and rows of the result at equal angles.
 struct Sum {
@@ -410,8 +436,63 @@ struct Sum {
     size: f64,
     /// Largest sum of the moments that meet.
     terms: f64,
+    fed: Fed,
     inertia: f64,
     angle: f64,
+}
+
+/// Work of what has no potential, and the change of the potential, which is known by its ends alone: over a cycle that closes it vanishes, however large the potential is in between.
+#[derive(Default)]
+struct Fed {
+    work: f64,
+    size: f64,
+    /// Largest sum of the moments that meet.
+    terms: f64,
+    /// Potential at both ends of all steps so far, and its jumps between steps.
+    ends: Option<[Potential; 2]>,
+    jumps: f64,
+}
+
+impl Fed {
+    fn add(&mut self, pieces: &[Piece]) {
+        for piece in pieces.iter().filter(|p| p.of == DRIVEN) {
+            let done = crossings::integral(&piece.row, piece.to - piece.from);
+            let mut last = 0.0;
+            for u in roots(&piece.row).into_iter().chain([1.0]) {
+                let value = crossings::value(&done, u);
+                self.size += (value - last).abs();
+                last = value;
+            }
+            self.work += last;
+        }
+    }
+
+    /// The potential at the ends of one more step.
+    fn passes(&mut self, [begin, end]: [Potential; 2]) {
+        let [first, before] = self.ends.unwrap_or([begin; 2]);
+        self.jumps += gained(before, begin);
+        self.ends = Some([first, end]);
+    }
+
+    /// The work of all forces, and what passes.
+    fn with_potential(&self, size: f64) -> [f64; 2] {
+        let [first, last] = self.ends.unwrap_or_default();
+        // a difference of potentials is as uncertain as they are
+        [self.work - gained(first, last) + self.jumps, size + first.known.max(last.known) / ROUNDING]
+    }
+}
+
+/// A potential energy, and its rounding.
+#[derive(Clone, Copy, Default)]
+struct Potential {
+    energy: f64,
+    known: f64,
+}
+
+/// What a potential gains, zero where rounding is left of it.
+fn gained(from: Potential, to: Potential) -> f64 {
+    let gain = to.energy - from.energy;
+    if gain.abs() <= from.known.max(to.known) { 0.0 } else { gain }
 }
 
 impl Sum {
@@ -428,6 +509,7 @@ impl Sum {
             work: 0.0,
             size: 0.0,
             terms: 0.0,
+            fed: Fed::default(),
             inertia: 0.0,
             angle: 0.0,
         };
@@ -447,19 +529,22 @@ impl Sum {
 
     /// Adds a step up to `length`.
     fn add<S: System + ?Sized>(&mut self, machine: &mut Pair<'_, S>, step: &Step, length: f64, options: &Cycle) -> Result<(), Fault> {
-        let (mut fault, mut terms) = (None, self.terms);
-        let mut sample = Values(|tau: f64| match reduced(machine, step, tau, options).inspect(|r| terms = terms.max(r.terms)) {
-            Ok(r) => vec![r.inertia, r.slope, r.moment, r.moment * r.rate, r.inertia * r.rate],
+        let (mut fault, mut terms, mut fed) = (None, self.terms, self.fed.terms);
+        let mut largest = |r: &Reduced| (terms, fed) = (terms.max(r.terms), fed.max(r.fed));
+        let mut sample = Values(|tau: f64| match reduced(machine, step, tau, options).inspect(&mut largest) {
+            Ok(r) => vec![r.inertia, r.slope, r.moment, r.moment * r.rate, r.inertia * r.rate, r.driven * r.rate],
             Err(f) => {
                 fault.get_or_insert(f);
-                vec![f64::NAN; 5]
+                vec![f64::NAN; 6]
             }
         });
-        let pieces = self.proxies.pieces(&mut sample, &[0, 1, 2, POWER, TURNED], length);
+        let pieces = self.proxies.pieces(&mut sample, &[0, 1, 2, POWER, TURNED, DRIVEN], length);
         if let Some(fault) = fault {
             return Err(fault);
         }
-        self.terms = terms;
+        (self.terms, self.fed.terms) = (terms, fed);
+        self.fed.add(&pieces);
+        self.fed.passes([machine.potential(step, 0.0, options)?, machine.potential(step, length, options)?]);
         let place = |tau: f64| place(step, options.angle, tau);
         for piece in pieces.iter().filter(|p| p.of < COLUMNS) {
             self.column(piece, &place);

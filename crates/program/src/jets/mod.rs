@@ -21,7 +21,7 @@ use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
 use faithful::{Watch, Watched};
 use plan::Plan;
 use recurrences::Memory;
-use steps::Step;
+use steps::{Row, Step};
 use words::Text;
 
 /// What is nearer in time than this share of it is now: an instant is known to some units in its last place.
@@ -37,6 +37,8 @@ pub struct Jets {
     live: Vec<Step>,
     /// Those of them that guards need: one order more is wanted there.
     tail: Vec<Step>,
+    /// Rows of the guards among them.
+    guards: Vec<Row>,
     /// Check of a step against what the operations do inside it.
     watch: Watch,
     modes: Option<Vec<Mode>>,
@@ -57,7 +59,8 @@ impl Jets {
         let evaluator = bound.dynamics.clone();
         let plan = Plan::new(&evaluator);
         let memory = Memory::new(&plan, order);
-        Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), watch: Watch::default(), modes: None, order: 0, largest: order }
+        let (live, tail, guards, watch) = (Vec::new(), Vec::new(), Vec::new(), Watch::default());
+        Jets { plan, memory, evaluator, live, tail, guards, watch, modes: None, order: 0, largest: order }
     }
 
     /// Expands the solution through (t, x) to `order`.
@@ -230,6 +233,7 @@ impl Jets {
         let (wanted, active) = needed(&self.evaluator, modes);
         self.live = self.plan.steps(modes, &wanted);
         self.tail = self.plan.guard_steps(&self.live, &active);
+        self.guards = self.plan.active_guards(&self.tail);
         self.watch = Watch::new(self.plan.watched(&self.live), self.plan.count as usize);
         self.memory.clear(&self.plan, modes);
         self.modes = Some(modes.to_vec());
@@ -267,7 +271,7 @@ impl Jets {
     }
 
     fn guards_are_finite(&self) -> bool {
-        self.plan.active_guards(&self.tail).all(|row| self.memory.row(row, self.order).iter().all(|v| v.is_finite()))
+        self.guards.iter().all(|row| self.memory.row(*row, self.order).iter().all(|v| v.is_finite()))
     }
 
     /// The cause of a failed expansion: at order 0 the interpreter knows it; above, the first step with sound operands and an unsound result.

@@ -329,9 +329,13 @@ impl Plan {
     }
 
     /// Rows of guards that steps of the tail write.
-    pub(super) fn active_guards<'a>(&'a self, tail: &'a [Step]) -> impl Iterator<Item = Row> + 'a {
-        let writes = |s: &Step, row: Row| (s.row()..s.row() + self.width(s) as Row).contains(&row);
-        self.guards.iter().copied().filter(move |g| tail.iter().any(|s| writes(s, *g)))
+    pub(super) fn active_guards(&self, tail: &[Step]) -> Vec<Row> {
+        let mut written = vec![false; self.count as usize];
+        for step in tail {
+            let first = step.row() as usize;
+            written[first..first + self.width(step)].fill(true);
+        }
+        self.guards.iter().copied().filter(|row| written[*row as usize]).collect()
     }
 }
 

@@ -211,6 +211,10 @@ fn multipliers<S: System + ?Sized>(
         return Ok(None);
     }
     let spectrum = spectrum::spectrum(&turn, options.seed)?;
+    let doubt = options.tolerance * spectrum.magnified.unwrap_or(0.0);
+    if doubt > DOUBTED {
+        dataset.notes.push(hardly_held(doubt));
+    }
     if let Some(off) = spectrum.shift {
         let name = Text::new(
             "a shift along the motion has the multiplier 1: difference",
@@ -226,6 +230,24 @@ fn multipliers<S: System + ?Sized>(
     // determinant and divergence are integrated apart from one another to nine digits
     dataset.audits.insert(1, Audit::at_most("liouville", name, turn.liouville, 1e-8));
     Ok(Some(spectrum.multipliers))
+}
+
+/// What a place of a regime may be off by, relative to what the states vary by, before that is told: nine digits are those that are shown and compared.
+const DOUBTED: f64 = 1e-9;
+
+/// A multiplier next to 1: what a turn errs by is magnified by 1/(1 - μ) in what closes.
+fn hardly_held(doubt: f64) -> Text {
+    let by = rounded(doubt);
+    Text::new(
+        format!(
+            "a multiplier lies next to 1: errors of a turn are magnified, and the place of the regime is known to a share of {} only",
+            by.en
+        ),
+        format!(
+            "мультипликатор близок к 1: погрешность одного оборота усиливается, и положение режима известно лишь с относительной погрешностью {}",
+            by.ru
+        ),
+    )
 }
 
 fn blurred(blur: Blur) -> Option<Text> {

@@ -41,6 +41,8 @@ pub(super) struct Spectrum {
     pub(super) multipliers: Vec<Multiplier>,
     /// |Φ f - f|/|f|.
     pub(super) shift: Option<f64>,
+    /// By how much the errors of a turn are magnified in what closes, the largest 1/|1 - μ|; none where a multiplier cannot be told from 1, so that what closes is one of a family.
+    pub(super) magnified: Option<f64>,
 }
 
 /// Rounding of an entry of the matrix, in its largest one.
@@ -60,13 +62,16 @@ pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
     let off = shift.map_or(0.0, |(_, off)| off);
     let size = largest * ROUNDING.max(turn.liouville).max(turn.doubt).max(off);
     let mut multipliers = with_errors(r, &rest, size, seed)?;
+    let apart = |m: &Multiplier| elementary::hypot(m.re - 1.0, m.im);
+    let one_of_many = multipliers.iter().any(|m| apart(m) <= m.error);
+    let magnified = (!one_of_many).then(|| multipliers.iter().map(|m| 1.0 / apart(m)).fold(0.0, f64::max));
     name_smallest(&mut multipliers, turn);
     if let Some((value, _)) = shift {
         // a quotient of what is known to thirteen digits
         multipliers.push(Multiplier { re: value, trivial: true, error: 1e-12 * (1.0 + value.abs()), ..Multiplier::default() });
     }
     multipliers.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im)));
-    Ok(Spectrum { multipliers, shift: shift.map(|(_, off)| off) })
+    Ok(Spectrum { multipliers, shift: shift.map(|(_, off)| off), magnified })
 }
 
 /// B, and of the first axis its eigenvalue and how well it is met.
