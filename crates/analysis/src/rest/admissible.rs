@@ -24,6 +24,8 @@ const UNSURE: f64 = 100.0;
 const SIGNS: usize = 6;
 /// Share of the largest entry of a reaction below which another is rounding: levers are metres and not 1e-15 of them.
 const LEVER: f64 = 1e-15;
+/// How often what is left of a limit is halved beside what presses: coefficients of friction are not below a thousandth of one another.
+const HALVINGS: usize = 12;
 /// Share of a direction that counts as none.
 const NOTHING: f64 = 1e-9;
 
@@ -117,7 +119,8 @@ impl Hold {
         }
     }
 
-    /// Admissible reactions at corners, by column: one at which most is left of each limit, those of the columns named first before the others.
+    /// Admissible reactions at corners, by column: one at which most is left of each limit, those of the columns named first before the others. Between two walls that may press
+    /// however much there is no most: then what presses least beside.
     pub fn corners(&self, first: &[usize]) -> Vec<Vec<f64>> {
         let owner = |k: usize| match k.checked_sub(self.contacts.len()) {
             None => self.contacts[k],
@@ -127,7 +130,7 @@ impl Hold {
         for set in self.sets(1.0).filter(|set| self.feasible(set)) {
             let (before, after): (Vec<usize>, Vec<usize>) = (0..set.len()).partition(|k| first.contains(&owner(*k)));
             for k in before.into_iter().chain(after) {
-                let Optimum::At(_, y) = largest(&set[k].0, &set) else { continue };
+                let Some(y) = self.most_left(k, &set) else { continue };
                 let y = at_corner(&y, &set);
                 let value =
                     |column: usize| self.some[column] + self.unit() * self.free.iter().zip(&y).map(|(z, y)| z[column] * y).sum::<f64>();
@@ -139,6 +142,22 @@ impl Hold {
             }
         }
         found
+    }
+
+    /// The corner at which most is left of an inequality, less what all contacts press where that has no end.
+    fn most_left(&self, k: usize, set: &[Inequality]) -> Option<Vec<f64>> {
+        let mut wanted = set[k].0.clone();
+        for _ in 0..HALVINGS {
+            match largest(&wanted, set) {
+                Optimum::At(_, y) => return Some(y),
+                Optimum::Nowhere => return None,
+                Optimum::Unbounded => {
+                    wanted.iter_mut().for_each(|w| *w *= 0.5);
+                    set[..self.contacts.len()].iter().for_each(|(row, _)| wanted.iter_mut().zip(row).for_each(|(w, a)| *w -= a));
+                }
+            }
+        }
+        None
     }
 
     /// The limit of a friction beside these reactions, by column; none where there is none.
