@@ -23,6 +23,15 @@ struct Idle {
     side: Option<usize>,
 }
 
+/// What the corners of the admissible reactions say of modes.
+#[derive(PartialEq)]
+enum AtCorners {
+    /// One of them holds.
+    Holds,
+    /// Modes of contacts and frictions that all want changed.
+    Want(Vec<(usize, Mode)>),
+}
+
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Every contact and friction carries itself.
     pub(super) fn carry_all(&mut self) {
@@ -74,14 +83,15 @@ impl<S: System + ?Sized> Flow<'_, S> {
     fn share_by_corners(&mut self, modes: &[Mode]) -> Result<Option<Verdict>, Fault> {
         let Some(corners) = self.corners_later(modes, 0.0) else { return Ok(None) };
         let limits = corners.list.first().map(|corner| corner.limits.clone());
-        if self.holds_at_a_corner(modes, &corners.list)? {
+        let now = self.holds_at_a_corner(modes, &corners.list)?;
+        if now == AtCorners::Holds {
             return Ok(Some(Verdict::Holds));
         }
         // where more limits are met than have to be, those that stay met are the ones of a little later
         for share in &LATER[1..] {
             let later = self.corners_later(modes, share * self.natural);
             if let Some(later) = later
-                && self.holds_at_a_corner(modes, &later.list)?
+                && self.holds_at_a_corner(modes, &later.list)? == AtCorners::Holds
             {
                 return Ok(Some(Verdict::Holds));
             }
@@ -98,6 +108,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let Some(likely) = likely else { return Ok(None) };
         let mut wanted = modes.to_vec();
         likely.iter().for_each(|(guard, mode)| wanted[*guard] = *mode);
+        // what holds the machine at no share of the load changes, however the load is shared
+        if let AtCorners::Want(common) = now
+            && wanted == modes
+        {
+            common.iter().for_each(|(guard, mode)| wanted[*guard] = *mode);
+        }
         Ok(Some(Verdict::Wants(wanted)))
     }
 
@@ -125,17 +141,28 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.system.shares(self.now.after(ahead).high, &x, modes, &relieved)
     }
 
-    /// Whether the modes hold with the shares of one of these corners, which are then in force.
-    fn holds_at_a_corner(&mut self, modes: &[Mode], corners: &[Corner]) -> Result<bool, Fault> {
+    /// Whether the modes hold with the shares of one of these corners, which are then in force, or what all of them want instead.
+    fn holds_at_a_corner(&mut self, modes: &[Mode], corners: &[Corner]) -> Result<AtCorners, Fault> {
+        let mut common: Option<Vec<(usize, Mode)>> = None;
         for corner in corners {
             self.modes.copy_from_slice(modes);
             self.carry_all();
             corner.idle.iter().for_each(|(guard, mode)| self.modes[*guard] = *mode);
-            if self.attempt_with_signs()? == Verdict::Holds {
-                return Ok(true);
+            match self.attempt_with_signs()? {
+                Verdict::Holds => return Ok(AtCorners::Holds),
+                Verdict::Wants(wanted) => {
+                    let is_held =
+                        |i: &usize| matches!(self.system.guards()[*i].kind, GuardKind::Friction { .. } | GuardKind::Contact { .. });
+                    let changes = (0..modes.len()).filter(is_held).filter(|i| wanted[*i] != modes[*i]).map(|i| (i, wanted[i]));
+                    common = Some(match common {
+                        None => changes.collect(),
+                        Some(known) => changes.filter(|change| known.contains(change)).collect(),
+                    });
+                }
+                Verdict::Repeats => {}
             }
         }
-        Ok(false)
+        Ok(AtCorners::Want(common.unwrap_or_default()))
     }
 
     /// Contacts and frictions that repeat others in the present modes.
