@@ -61,6 +61,8 @@ pub struct TouchLaws {
     pairing: Frontier,
     sizes: Vec<Sizes>,
     strongest: f64,
+    /// Largest length among the coordinates.
+    widest: f64,
     /// Share of the size of a speed that the steps may be off.
     still: f64,
     contacts: bool,
@@ -68,6 +70,12 @@ pub struct TouchLaws {
     steps: u64,
     x: Vec<f64>,
     rates: Vec<f64>,
+}
+
+/// Magnitudes of the coordinates that are lengths.
+fn lengths<'x, S: System + ?Sized>(system: &'x S, x: &'x [f64]) -> impl Iterator<Item = f64> + 'x {
+    let n = system.n_coordinates();
+    system.states().iter().take(n).zip(x).filter(|(state, _)| state.unit == "m").map(|(_, x)| x.abs())
 }
 
 impl TouchLaws {
@@ -89,6 +97,7 @@ impl TouchLaws {
         for place in places {
             let Some(touches) = self.touches(step, system, place * length) else { continue };
             self.sizes.resize(touches.len(), Sizes::default());
+            self.widest = lengths(system, &self.x).fold(self.widest, f64::max);
             self.measure(&touches, step);
             self.without((step, place * length), system, &touches);
             self.weigh((step, place * length), system, &touches);
@@ -110,7 +119,8 @@ impl TouchLaws {
             let own = match touch.law {
                 TouchLaw::Contact { gap } => {
                     self.contacts = true;
-                    sizes.place = sizes.place.max(gap[0].abs()).max(gap[1]);
+                    // a body that has long lain on a table has the rounding of the table's motion for its place
+                    sizes.place = sizes.place.max(gap[0].abs()).max(gap[1]).max(FLOOR * self.widest);
                     touch.force.abs()
                 }
                 TouchLaw::Friction { limits, .. } => {

@@ -296,8 +296,8 @@ fn same_work<S: System + ?Sized>(
         "work of the cycle by the powers of the uniform motion: relative difference",
         "работа за цикл по мощностям равномерного движения: относительное расхождение",
     );
-    // a shaft that could not be held to the uniform rate has another motion
     let apart = |found: f64, [work, size]: [f64; 2]| (found - work).abs() / size.max(f64::MIN_POSITIVE);
+    // a shaft that could not be held to the uniform rate has another motion
     let off = if uneven > 1e-9 { 0.0 } else { apart(again + gained, whole).max(apart(fed, driven)) };
     // a cycle that closes leaves rounding; one that does not is off by its play
     Ok(Audit::at_most("work_of_uniform_motion", name, off, 1e-9))

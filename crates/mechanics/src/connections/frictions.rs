@@ -78,8 +78,8 @@ const KEYS: TableSpec = table(
             "m",
             "",
             (
-                "radius of the pin; with a stop: distance of the contact from the stop's point, towards the surface",
-                "радиус цапфы; для упора — расстояние от его точки до контакта, в сторону поверхности",
+                "radius of the pin; with a stop: distance of the contact from the stop's point, of two points from the second, towards the surface",
+                "радиус цапфы; для упора — расстояние от его точки (из двух точек — от второй) до контакта, в сторону поверхности",
             ),
             "\"10 mm\"",
         ),

@@ -122,6 +122,13 @@ pub(super) struct Crowd {
     pub(super) close: u32,
 }
 
+impl<'s, S: System + ?Sized> Flow<'s, S> {
+    /// The system, for another motion.
+    pub fn release(self) -> &'s mut S {
+        self.system
+    }
+}
+
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Whether `t` has been reached.
     pub fn reached(&self, t: f64) -> bool {

@@ -308,18 +308,26 @@ fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'
     let mut floor = settle(&mut flow, options.settle, options)?;
     floor.iter_mut().for_each(|size| *size *= FLOOR);
     let (begin, x) = (flow.time(), flow.state().to_vec());
-    let kept = |flow: &Flow<'_, S>, orbit: Orbit| (halved(orbit, begin, flow.time()), floor.clone());
+    let kept = |orbit: Orbit, end: f64| (halved(orbit, begin, end), floor.clone());
     // a forced machine that runs away from its regime does so within any longer time
     let enough = if let Return::Period(period) = options.by { PERIODS * period * options.returns.max(1) as f64 } else { f64::INFINITY };
     // however slow the machine is; where nothing moves, no time shows more than another
-    if let Ok(orbit) = steps(&mut flow, begin + enough.min(NEVER), options)
-        && flow.time() < NEVER
-    {
-        return Ok(kept(&flow, orbit));
+    let (most, mut horizon) = (enough.min(NEVER), options.longest.min(enough));
+    loop {
+        if let Ok(orbit) = steps(&mut flow, begin + horizon, options)
+            && flow.time() < NEVER
+            && (horizon >= most || orbit.steps.len() == TRIAL)
+        {
+            return Ok(kept(orbit, flow.time()));
+        }
+        flow = Flow::start(flow.release(), begin, &x, with)?;
+        if horizon >= most {
+            break;
+        }
+        horizon = (LONGER * horizon).min(most);
     }
-    let mut flow = Flow::start(flow.system(), begin, &x, with)?;
     let orbit = steps(&mut flow, begin + options.longest.min(enough), options)?;
-    Ok(kept(&flow, orbit))
+    Ok(kept(orbit, flow.time()))
 }
 
 /// The steps of a trial.
@@ -354,6 +362,9 @@ fn halved(mut orbit: Orbit, begin: f64, end: f64) -> Orbit {
     orbit
 }
 
+/// How many times longer the next trial may last, where one has shown less than its steps: beside a time without end the limit at which something that is carried along begins to slide is
+/// rounding.
+const LONGER: f64 = 1e4;
 /// Periods of a forced machine that a trial lasts at most; the first half of it counts.
 const PERIODS: f64 = 4.0;
 /// Share of its largest value while the motion settled, and of the largest scale of its unit, below which a state has no scale of its own: what has died away to

@@ -328,8 +328,8 @@ pub fn where_it_touches(connection: &Connection, contact: &str) -> Box<Notice> {
         "предел упора не равен нулю: центр шара остаётся на расстоянии радиуса, а угол тела касается опоры на этой высоте",
     )
     .help(
-        "add radius = \"r\", the distance of the contact from the stop's point towards the surface; radius = 0 where the point itself touches",
-        "добавьте radius = \"r\" — расстояние от точки упора до контакта в сторону поверхности; radius = 0, если касается сама точка",
+        "add radius = \"r\", the distance of the contact from the stop's point, of two points from the second, towards the surface; radius = 0 where the point itself touches",
+        "добавьте radius = \"r\" — расстояние от точки упора (из двух точек — от второй) до контакта в сторону поверхности; radius = 0, если касается сама точка",
     );
     Box::new(fault)
 }
