@@ -24,8 +24,8 @@ use algebra::arrange::Arrange;
 use super::contacts::{self, LATER};
 use crate::integrate::crossings::{Change, Impact, Switch, Verdict, opposite};
 
-/// Most combinations that are tried one by one.
-const COMBINED: usize = 3000;
+/// Most combinations that are tried one by one: all of five contacts with friction, of more those with few changes.
+const COMBINED: usize = 2000;
 
 /// Share of the loads by which a limit may be exceeded where no set of modes keeps all laws to rounding: far below the limit of the audits.
 const NEARLY: f64 = 1e-11;
@@ -335,23 +335,60 @@ impl<S: System + ?Sized> Flow<'_, S> {
         Ok(Verdict::Holds)
     }
 
-    /// All combinations of the guards on their surfaces, the others as their values say.
+    /// Combinations of the guards on their surfaces, the others as their values say: those with most contacts closed and sticking first.
     fn try_all_combinations(&mut self, others: &[Mode]) -> bool {
         let on: Vec<usize> = (0..self.modes.len()).filter(|&i| self.met[i] && !self.rebounds[i] && self.options(i) > 1).collect();
-        let total = on.iter().try_fold(1_usize, |product, &i| product.checked_mul(self.options(i)).filter(|p| *p <= COMBINED));
-        let Some(total) = total.filter(|_| !on.is_empty()) else { return false };
-        let combination = |flow: &Self, code: usize| {
-            let mut digits = code;
-            let mode = |&i: &usize| {
-                let digit = digits % flow.options(i);
-                digits /= flow.options(i);
-                [Mode::Zero, Mode::Positive, Mode::Negative][digit]
+        let mut all: Vec<(usize, u128, Vec<(usize, Mode)>)> = Vec::new();
+        for changes in 0..=on.len() {
+            let mut chosen = vec![Mode::Zero; on.len()];
+            self.combine(&on, (0, changes), &mut chosen, &mut all);
+            if all.len() >= COMBINED {
+                break;
+            }
+        }
+        all.arrange_by_key(|(changes, code, _)| (*changes, *code));
+        !on.is_empty()
+            && all.iter().any(|(_, _, modes)| {
+                let (on, modes): (Vec<usize>, Vec<Mode>) = modes.iter().copied().unzip();
+                self.try_combination((&on, &modes), others)
+            })
+    }
+
+    /// Combinations in which so many of the guards from a place on leave `Zero`: the number of changes, their place in the order of all, the modes. A friction
+    /// that no closed contact presses follows its speed.
+    fn combine(
+        &self,
+        on: &[usize],
+        (from, changes): (usize, usize),
+        chosen: &mut [Mode],
+        all: &mut Vec<(usize, u128, Vec<(usize, Mode)>)>,
+    ) {
+        if changes == 0 {
+            let opens = |gap: &usize| on.iter().position(|i| i == gap).is_some_and(|k| chosen[k] == Mode::Positive);
+            let off = |i: usize| match &self.system.guards()[i].kind {
+                GuardKind::Friction { pressed, .. } => !pressed.is_empty() && pressed.iter().all(opens),
+                _ => false,
             };
-            on.iter().map(mode).collect::<Vec<Mode>>()
-        };
-        let mut all: Vec<Vec<Mode>> = (0..total).map(|code| combination(self, code)).collect();
-        all.arrange_by_key(|modes| modes.iter().filter(|m| **m != Mode::Zero).count());
-        all.iter().any(|modes| self.try_combination((&on, modes), others))
+            if on.iter().zip(chosen.iter()).any(|(i, mode)| *mode != Mode::Zero && off(*i)) || all.len() >= COMBINED {
+                return;
+            }
+            let digit = |mode: Mode| [Mode::Zero, Mode::Positive, Mode::Negative].iter().position(|m| *m == mode).unwrap_or(0) as u128;
+            let code = on
+                .iter()
+                .zip(chosen.iter())
+                .rev()
+                .fold(0_u128, |code, (i, mode)| code.wrapping_mul(self.options(*i) as u128).wrapping_add(digit(*mode)));
+            let modes = on.iter().zip(chosen.iter()).filter(|(i, _)| !off(**i)).map(|(i, mode)| (*i, *mode)).collect();
+            all.push((chosen.iter().filter(|mode| **mode != Mode::Zero).count(), code, modes));
+            return;
+        }
+        for k in from..on.len() {
+            for mode in [Mode::Positive, Mode::Negative].into_iter().take(self.options(on[k]) - 1) {
+                chosen[k] = mode;
+                self.combine(on, (k + 1, changes - 1), chosen, all);
+            }
+            chosen[k] = Mode::Zero;
+        }
     }
 
     pub(super) fn try_combination(&mut self, (on, modes): (&[usize], &[Mode]), others: &[Mode]) -> bool {
