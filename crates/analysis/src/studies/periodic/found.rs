@@ -194,9 +194,13 @@ impl Found<'_> {
         (0..followed).map(|i| (gap[i] - self.linear(gap, i)).abs() / self.scales[i]).fold(0.0, f64::max)
     }
 
-    /// The end of the turn, as the start of another one.
-    pub(super) fn next_start(&self, gap: &[f64]) -> Vec<f64> {
-        self.orbit.first.iter().zip(gap).map(|(x, g)| x + g).collect()
+    /// The end of the turn, as the start of another one: what the laws do not feel is taken out of its gap along straight lines, and conditions that bend are met again.
+    pub(super) fn next_start<S: System + ?Sized>(&self, system: &mut S, gap: &[f64]) -> Vec<f64> {
+        let next: Vec<f64> = self.orbit.first.iter().zip(gap).map(|(x, g)| x + g).collect();
+        let mut held = next.clone();
+        let bends = !self.symmetry.followers.is_empty();
+        let met = bends && system.rejoin(0.0, &mut held, &self.orbit.modes[0], (0.0, &self.orbit.first)).is_ok();
+        if met { held } else { next }
     }
 
     /// Rates at the end in the moving frame.

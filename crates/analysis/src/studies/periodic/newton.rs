@@ -160,7 +160,7 @@ impl<'o> Attempts<'o> {
     ) -> Result<Settled, Fault> {
         let better = self.best.as_ref().is_none_or(|(least, _)| miss < *least);
         let settled = miss <= EXACT || (self.best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * self.last);
-        let next_turn = found.next_start(&gap);
+        let next_turn = found.next_start(system, &gap);
         self.follow_only = self.follow_only.max(self.patience.after(if better {
             Came::Nearer
         } else {
