@@ -22,6 +22,20 @@ pub fn laws(equations: &Equations, printer: &Printer) -> Vec<Layout> {
     lines
 }
 
+/// What the forces of frictions are while they slide, as far as that needs no other reaction.
+pub(crate) fn sliding(equations: &Equations, graph: &mut Graph) -> Vec<(SymbolId, Expr)> {
+    let mut found = Vec::new();
+    for reaction in &equations.reactions {
+        if let Law::Friction(friction) = &reaction.law {
+            let [sliding, _] = law(equations, graph, friction, reaction.symbol);
+            if !graph.contains(sliding.right, |s| equations.reactions.iter().any(|r| r.symbol == s)) {
+                found.push((reaction.symbol, sliding.right));
+            }
+        }
+    }
+    found
+}
+
 fn law(equations: &Equations, graph: &mut Graph, friction: &Friction, symbol: SymbolId) -> [Equality; 2] {
     let size = pressure(equations, graph, friction);
     let [back, forth] = friction.kinetic.map(|e| graph.mul(e, size));

@@ -5,7 +5,7 @@ use crate::machine::{Machine, lower};
 use analysis::{Fault, System};
 use mechanics::derive::{Detail, derive_in};
 use mechanics::model::{ClaimKind, Model, OutputDecl};
-use symbolic::{Expr, Graph, Node, Rational};
+use symbolic::{Expr, Graph, Node, Rational, Substitution};
 use words::{Notice, Text};
 
 /// A formula of more terms is compared as a whole.
@@ -95,10 +95,13 @@ fn own_terms(machine: &Machine, graph: &mut Graph) -> Vec<Expr> {
     let Ok(equalities) = &machine.equations.textbook else { return Vec::new() };
     // a published equation without reactions lacks no reaction
     let reactions: Vec<_> = machine.equations.reactions.iter().map(|r| r.symbol).collect();
+    // but the friction of what slides has a formula that it may lack
+    let mut rubbed = Substitution::new(crate::frictions::sliding(&machine.equations, graph));
     let sides = equalities.iter().flat_map(|e| [e.left, e.right]);
     let mut own: Vec<Expr> = Vec::new();
     for side in sides {
         for term in apart(graph, side) {
+            let term = rubbed.apply(graph, term);
             let reacts = graph.symbols_in(&[term]).iter().any(|s| reactions.contains(s));
             if !reacts && !own.contains(&term) {
                 own.push(term);

@@ -44,8 +44,18 @@ pub fn judge(laid: &mut Laid, (number, claim): (usize, &ClaimDecl), rows: &[Vec<
     let n = terms.terms.len();
     let values: Vec<Vec<f64>> = (0..n).map(column).collect();
     let target = terms.of.map(|_| column(n));
-    let others: Vec<Vec<f64>> = (n..n + terms.others.len()).map(column).collect();
-    let found = fit(Sum { terms: &values, target: target.as_deref(), anchors: &terms.anchors, others: &others });
+    // an inertia that stands in the claim with another factor is not missing: taken away, the equation would lose it
+    let accelerates = |e: Expr| {
+        let equations = &laid.machine.equations;
+        equations.graph.contains(e, |s| equations.coordinates.iter().any(|c| c.symbols[2] == s))
+    };
+    let inertias: Vec<&Vec<f64>> = values.iter().zip(&terms.terms).filter(|(_, e)| accelerates(**e)).map(|(column, _)| column).collect();
+    let (numbers, others): (Vec<usize>, Vec<Vec<f64>>) = (n..n + terms.others.len())
+        .map(|k| (k - n, column(k)))
+        .filter(|(k, other)| !accelerates(terms.others[*k]) || !inertias.iter().any(|own| proportional(own, other)))
+        .unzip();
+    let mut found = fit(Sum { terms: &values, target: target.as_deref(), anchors: &terms.anchors, others: &others });
+    found.missing = found.missing.map(|(k, factor)| (numbers[k], factor));
     (verdict.value, verdict.published) = found.worst;
     verdict.deviation = found.deviation;
     verdict.ok = found.holds(claim.tolerance);
@@ -56,6 +66,13 @@ pub fn judge(laid: &mut Laid, (number, claim): (usize, &ClaimDecl), rows: &[Vec<
     if !verdict.ok {
         verdict.words = words(&mut laid.machine, &terms, &found, claim.tolerance);
     }
+}
+
+/// Whether two terms have one ratio at all states where they have values.
+fn proportional(a: &[f64], b: &[f64]) -> bool {
+    let pairs = || a.iter().zip(b).filter(|(a, b)| a.is_finite() && b.is_finite());
+    let Some((p, q)) = pairs().max_by(|x, y| x.1.abs().total_cmp(&y.1.abs())).filter(|(_, q)| **q != 0.0) else { return false };
+    pairs().all(|(a, b)| (a * q - b * p).abs() <= SAME * ((a * q).abs() + (b * p).abs()))
 }
 
 /// Which terms differ, and by how much.
