@@ -19,8 +19,8 @@ pub fn expanded(range: &str) -> Result<String, Failure> {
         let cause = system::cause(&error);
         refused((format!("no values from `{file}`: {}", cause.en), format!("нет значений из `{file}`: {}", cause.ru)))
     })?;
-    let text = String::from_utf8_lossy(&bytes);
-    let mut lines = text.trim_start_matches('\u{feff}').lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+    let text = crate::letters::decoded(&bytes);
+    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
     let head = lines.next().map_or("", |(_, line)| line);
     let separator = if head.contains(';') { ';' } else { ',' };
     let titles = cells(head, separator);

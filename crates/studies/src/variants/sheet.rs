@@ -85,12 +85,19 @@ fn data(machine: &Machine, language: Language) -> Table {
 pub fn given(machine: &Machine, language: Language) -> String {
     let data: Vec<String> = quantities(machine, language)
         .into_iter()
-        .map(
-            |d| if d.label.is_empty() { format!("{} = {}", d.symbol, d.value) } else { format!("{}: {} = {}", d.label, d.symbol, d.value) },
-        )
+        .map(|d| {
+            // φ_1'(0): the primes and the instant are no part of the index
+            let (symbol, rest) = d.symbol.split_at(d.symbol.find(['\'', '(']).unwrap_or(d.symbol.len()));
+            let symbol = report::symbol::plain(symbol, language);
+            if d.label.is_empty() { format!("{symbol}{rest} = {}", d.value) } else { format!("{}: {symbol}{rest} = {}", d.label, d.value) }
+        })
         .collect();
-    let description = language.text(&machine.model.description).trim();
-    [description.to_owned(), data.join("; ")].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
+    let mut description = language.text(&machine.model.description).trim().to_owned();
+    if !description.is_empty() && !description.ends_with(['.', '!', '?']) {
+        description.push('.');
+    }
+    let data = if data.is_empty() { String::new() } else { format!("{}: {}", language.pick("Given", "Дано"), data.join("; ")) };
+    [description, data].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
 /// A number that students begin with.
