@@ -327,6 +327,8 @@ pub struct RegimeDecl {
 pub struct EventDecl {
     /// Name.
     pub name: String,
+    /// What it is; may be empty.
+    pub label: Text,
     /// A symbol of its own.
     pub symbol: SymbolId,
     /// The formula whose zeros are meant; like that of an output.

@@ -153,6 +153,8 @@ pub struct Load {
     pub name: String,
     /// Table and name in the file: `forces.f`; of a weight, those of its node or rod.
     pub path: String,
+    /// What it is; may be empty.
+    pub label: Text,
     /// What it does.
     pub action: Action,
 }
@@ -160,7 +162,7 @@ pub struct Load {
 impl Load {
     /// The load `name` of a table of the file.
     pub fn of(table: &str, name: &str, action: Action) -> Load {
-        Load { name: name.to_owned(), path: format!("{table}.{name}"), action }
+        Load { name: name.to_owned(), path: format!("{table}.{name}"), label: Text::default(), action }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Keys of `[events.NAME]`.
 
-use crate::keys::{TableSpec, Type, may, must};
+use crate::keys::{LABEL, TableSpec, Type, may, must};
 
 /// `[events.NAME]`.
 pub const EVENT: TableSpec = TableSpec {
@@ -40,6 +40,7 @@ pub const EVENT: TableSpec = TableSpec {
             ),
             "true",
         ),
+        LABEL,
     ],
     example: "[events.return]\nzero = \"phi\"\ndirection = \"rising\"\n",
 };

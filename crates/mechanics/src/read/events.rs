@@ -16,6 +16,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<EventDe
 fn event<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Option<EventDecl> {
     let direction = direction(reader, fields);
     let stop = fields.flag(reader, "stop").unwrap_or(false);
+    let label = fields.text(reader, "label").unwrap_or_default();
     let zero = fields.formula(reader, "zero", &Context::OUTPUT, None)?;
     let span = fields.span_of("zero");
     // of a quantity that has an error of its own nothing is known
@@ -40,6 +41,7 @@ fn event<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Opti
     zero.good.then(|| EventDecl {
         symbol: reader.builder.graph.symbol_id(&format!("event_{name}"), 0),
         name,
+        label,
         zero: zero.expr,
         unit,
         direction,

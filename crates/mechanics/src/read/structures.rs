@@ -439,7 +439,9 @@ fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
         let parts = components(reader, value, &Context::TIME, &Dimension::FORCE);
         let [x, y] = plane::along(reader, value, parts);
         let zero = reader.builder.graph.zero();
-        reader.structure.loads.push(Load::of("forces", name, Action::Point { site, value: [x, y, zero] }));
+        let label = fields.text(reader, "label").unwrap_or_default();
+        let load = Load::of("forces", name, Action::Point { site, value: [x, y, zero] });
+        reader.structure.loads.push(Load { label, ..load });
     }
     true
 }
@@ -458,7 +460,9 @@ fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool 
             _ => fields.formula_or_zero(reader, "value", &Context::TIME, Some(&Dimension::ENERGY)).expr,
         };
         let zero = reader.builder.graph.zero();
-        reader.structure.loads.push(Load::of("torques", name, Action::Point { site, value: [zero, zero, couple] }));
+        let label = fields.text(reader, "label").unwrap_or_default();
+        let load = Load::of("torques", name, Action::Point { site, value: [zero, zero, couple] });
+        reader.structure.loads.push(Load { label, ..load });
     }
     true
 }

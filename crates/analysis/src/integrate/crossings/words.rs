@@ -140,6 +140,9 @@ fn friction(switch: &Switch, told: impl Fn(String, String) -> Text) -> Text {
 }
 
 fn change_of_side(switch: &Switch, name: &Text) -> Text {
+    if let (Some(en), Some(ru)) = (instant(&name.en), instant(&name.ru)) {
+        return Text::new(format!("t reaches {en}"), format!("t достигает значения {ru}"));
+    }
     let word = |mode: Mode| match mode {
         Mode::Negative => "minus",
         Mode::Zero => "zero",
@@ -164,6 +167,14 @@ fn change_of_side(switch: &Switch, name: &Text) -> Text {
     Text::new(format!("{en} changes from {} to {}", word(turned(switch.before)), word(turned(switch.after))), changes)
 }
 
+/// What time is compared with: `5` of `5 − t` and of `t − 5`.
+fn instant(guard: &str) -> Option<&str> {
+    let timeless = |rest: &str| !rest.split(|c: char| !(c.is_alphanumeric() || "_*'".contains(c))).any(|word| word == "t");
+    let alone = |rest: &str| !rest.contains(" − ") && !rest.contains(" + ") && !rest.contains(" - ");
+    let after = || guard.strip_prefix("t − ").or_else(|| guard.strip_prefix("t - ")).filter(|rest| alone(rest));
+    guard.strip_suffix(" − t").or_else(|| guard.strip_suffix(" - t")).or_else(after).filter(|rest| timeless(rest))
+}
+
 /// Six digits: enough to recognise an impact; the full numbers stand beside the event.
 fn short(value: f64) -> Text {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
@@ -173,6 +184,19 @@ fn short(value: f64) -> Text {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_switch_of_time_says_which_instant() {
+        assert_eq!(instant("t_* − t"), Some("t_*"));
+        assert_eq!(instant("a + b − t"), Some("a + b"));
+        assert_eq!(instant("t − 5"), Some("5"));
+        assert_eq!(instant("t − a − b"), None);
+        assert_eq!(instant("sin t − t"), None);
+        assert_eq!(instant("t"), None);
+        assert_eq!(instant("y'"), None);
+        // the place of a belt that moves at v t
+        assert_eq!(instant("x − v t"), None);
+    }
 
     #[test]
     fn numbers_in_words_have_the_signs_of_print() {
