@@ -143,14 +143,20 @@ fn works(motors: &[Motor], data: &mut Dataset) -> (Vec<Fact>, serde_json::Value)
             own.insert(name.clone(), serde_json::Value::Null);
             continue;
         }
+        // `power: motor B` is what its output is called
+        let label = Text::new(label.en.trim_start_matches("power: "), label.ru.trim_start_matches("мощность: "));
         let meaning = match struck != 0.0 {
             true => {
-                Text::new(format!("work with that of impulses; {}", label.en), format!("работа вместе с работой импульсов; {}", label.ru))
+                Text::new(format!("work with that of impulses: {}", label.en), format!("работа вместе с работой импульсов: {}", label.ru))
             }
-            false => Text::new(format!("work; {}", label.en), format!("работа; {}", label.ru)),
+            false => Text::new(format!("work: {}", label.en), format!("работа: {}", label.ru)),
         };
         facts.push(Fact::new(&format!("work({name})"), &format!("A_{name}"), "J", work + struck, meaning));
         own.insert(name.clone(), json!(work + struck));
+    }
+    if motors.len() > 1 && facts.len() == motors.len() {
+        let sum = facts.iter().map(|fact| fact.value).sum();
+        facts.push(Fact::new("work_sum", "A", "J", sum, Text::new("work of all motors", "работа всех двигателей")));
     }
     (facts, own.into())
 }

@@ -1,12 +1,13 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
 use super::keys::{GUESS, OUTPUTS};
-use super::{Finds, Found, Study};
+use super::{Conclusion, Finds, Found, Results, Study};
 use crate::machine::Machine;
 use crate::results::finite::checked;
 use crate::small::asked::Response;
 use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Key, Kind, Takes, Words};
+use words::Language;
 
 /// The study.
 pub struct Forced;
@@ -78,8 +79,30 @@ impl Study for Forced {
     fn finds(&self) -> Finds {
         Finds::Amplitudes
     }
+    fn concludes(&self, machine: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        let size = |z: f64| z.is_finite().then_some(z);
+        let at = results.own.get("at_frequency");
+        let omega = at.and_then(|at| size(at.get("omega")?.as_f64()?));
+        let label = |name: &str| {
+            let label = machine.equations.outputs.iter().find(|o| o.name == name).map(|o| o.label.clone())?;
+            (!label.en.is_empty()).then_some(label)
+        };
+        let forced = at.and_then(|at| at.get("outputs")?.as_object()).into_iter().flatten().filter_map(|(name, found)| {
+            let column = results.data.column(&format!("{name}_amplitude"))?;
+            let value = size(found.get("amplitude")?.as_f64()?)?;
+            let (_, value, unit) = crate::results::shown(&column.quantity, value, language);
+            let gain = found.get("dynamic_coefficient").and_then(serde_json::Value::as_f64);
+            Some(Conclusion::Forced { label: label(name)?, omega: omega?, amplitude: (value, unit), gain })
+        });
+        let rests = results.own.get("antiresonances").and_then(|list| list.as_array()).into_iter().flatten().filter_map(|found| {
+            let exact = found.get("zero")?.as_bool()?;
+            let omega = found.get("omega")?.as_f64()?;
+            Some(Conclusion::Antiresonance { label: label(found.get("output")?.as_str()?)?, omega, exact })
+        });
+        forced.chain(rests).collect()
+    }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
-        let found = crate::small::response::find(machine, &Response::of(asked));
+        let found = crate::small::response::find(machine, &Response::of(asked), crate::structure::drawing::forced);
         watch.lap(Lap::Run);
         Some(checked(found))
     }

@@ -397,3 +397,62 @@ fn a_letter_of_the_file_never_stands_for_something_else() {
     }
     assert!(russian.contains("n_лин = b/(2 a_лин)") && russian.contains("k_лин = √(c/a_лин)"), "{russian}");
 }
+
+#[test]
+fn bodies_have_the_numbers_that_their_labels_give_them() {
+    let bars = spaced(&text(&document("manipulator", Language::Ru)));
+    // masses and angles of the problem go by its own numbers: m at the end of bar 1
+    assert!(bars.contains("Тело 1 (стержень) считается материальной точкой") && bars.contains("соединено с телом 3 (стержень)"), "{bars}");
+    assert!(!bars.contains("стержень 3") || !bars.contains("Тело 1 (стержень 3)"), "{bars}");
+    let loads = spaced(&text(&document("thread-pendulum", Language::Ru)));
+    for line in ["T₁ = m₁", "T₂ = m₂", "T₃ = m₃", "T₄ = m₄", "Π₄ = −m₄"] {
+        assert!(loads.contains(line), "{line}\n{loads}");
+    }
+    // an event of the file is told by its label
+    let heads: Vec<String> = (document("thread-pendulum", Language::Ru).blocks.iter())
+        .filter_map(|block| if let Block::Table(table) = block { Some(table) } else { None })
+        .flat_map(|table| table.columns.iter().map(|column| column.head.plain(Language::Ru)).collect::<Vec<_>>())
+        .collect();
+    assert!(heads.iter().any(|head| head == "первое возвращение нити к вертикали"), "{heads:?}");
+    assert!(!loads.contains("phi_0") && !heads.iter().any(|head| head.contains("phi")), "{heads:?}");
+}
+
+#[test]
+fn what_time_switches_keeps_its_letter_in_the_linear_equation() {
+    let russian = spaced(&text(&document("oscillator", Language::Ru)));
+    assert!(russian.contains("a φ'' + c φ + 4 μ l² φ' = (l M₀/r) sin pt") || russian.contains("l M₀/r sin pt"), "{russian}");
+    assert!(!russian.contains("4 l/r"), "{russian}");
+    // tan ε = 2·10·15/(10² − 15²)
+    assert!(russian.contains("= −2,4"), "{russian}");
+    // M₀ stands where it is used, behind the forces and not behind T
+    let at = |what: &str| russian.find(what).unwrap_or_else(|| panic!("{what}: {russian}"));
+    assert!(at("M₀ = {") > at("Обобщённые силы"), "{russian}");
+    for line in
+        ["Амплитуда вынужденных колебаний величины «угол поворота стержня» при ω = 15 рад/с равна 0,05128 рад", "t достигает значения"]
+    {
+        assert!(russian.contains(line), "{line}\n{russian}");
+    }
+}
+
+#[test]
+fn a_frame_under_a_load_shows_its_shapes_with_dynamic_coefficients() {
+    let document = document("three-rod-frame", Language::Ru);
+    let russian = spaced(&text(&document));
+    // the ratio u₂ l₂/u₁ of both modes and the static displacements of the problem's card
+    for number in ["1,32307", "−2,26315", "1,84476·10⁻⁵", "0,296613", "сила в узле B"] {
+        assert!(russian.contains(number), "{number}\n{russian}");
+    }
+    let titled = |block: &Block| match block {
+        Block::Figure(figure) => figure.title.plain(Language::Ru).contains("при наибольшей нагрузке"),
+        _ => false,
+    };
+    assert_eq!(document.blocks.iter().filter(|block| titled(block)).count(), 4);
+}
+
+#[test]
+fn published_results_that_do_not_hold_are_named() {
+    for (name, told) in [("manipulator", "−17,9"), ("oscillator", "16,16"), ("crank-hoist", "0,002884744")] {
+        let russian = spaced(&text(&document(name, Language::Ru)));
+        assert!(russian.contains(told) && russian.contains("✗ не подтверждено"), "{name}: {russian}");
+    }
+}

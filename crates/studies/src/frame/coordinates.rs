@@ -62,7 +62,7 @@ pub(super) fn coarse(structure: &file::Structure, bound: &Bound) -> Option<Text>
 }
 
 /// The coordinates of the frame, divided as its wanted accuracy needs.
-pub(super) fn coordinates(model: &Model, structure: &file::Structure, bound: &mut Bound) -> Result<Option<Substructure>, analysis::Fault> {
+pub fn coordinates(model: &Model, structure: &file::Structure, bound: &mut Bound) -> Result<Option<Substructure>, analysis::Fault> {
     stands_undivided(&bound.frame, bound.exact.as_ref())?;
     let assembly = Assembly::of(&bound.frame);
     // nobody can speak of the displacements of a large frame without their names

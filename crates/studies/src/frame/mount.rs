@@ -282,7 +282,7 @@ fn loads(model: &mut Model, slots: &mut Slots, structure: &file::Structure, figu
             let along = model.graph.symbol(model.coordinates[first + i].symbols[0]);
             let force = Force::OnPathway { pathway: Pathway::Along(along, model::Measure::Other), value };
             let part = element(FORCES, load.name.clone(), force, 0..0);
-            model.elements.push(Element { path: load.path.clone(), ..part });
+            model.elements.push(Element { path: load.path.clone(), label: load.label.clone(), ..part });
         }
     }
 }

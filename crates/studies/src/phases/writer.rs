@@ -307,6 +307,7 @@ impl<'a> Writer<'a> {
             tangent,
             fraction(product(vec![whole(2), self.letter("n"), letter("p")]), difference),
             fraction(product(vec![whole(2), set.factor(o.n), set.size(p)]), numbers),
+            set.result(2.0 * o.n * p / (o.k2 - p * p), ""),
         ]));
         blocks.push(self.line(vec![letter("epsilon"), set.result(f.harmonic.lag, "rad")]));
         blocks
@@ -392,7 +393,7 @@ impl<'a> Writer<'a> {
         let zero = if self.start > 0.0 { "τ = 0" } else { "t = 0" };
         let mut blocks = vec![self.words(
             &format!("Constants from the state at {zero}, A and B being displacement and rate of the free motion there, q_f the forced motion:"),
-            &format!("Постоянные из состояния при {zero}; A и B — отклонение и скорость свободного движения в этот момент, q_в — вынужденное движение:"),
+            &format!("Постоянные из состояния при {zero}; A и B – отклонение и скорость свободного движения в этот момент, q_в – вынужденное движение:"),
         )];
         let difference =
             |x: f64, y: f64| Layout::Sum(vec![(if x < 0.0 { Sign::Minus } else { Sign::Plus }, set.size(x)), set.term(-y, vec![])]);

@@ -22,6 +22,10 @@ pub enum Conclusion {
     Rest { stable: Vec<Option<bool>> },
     /// The greatest size of a quantity during the motion, its instant, and its values.
     Greatest { label: Text, shown: (f64, String), t: f64, beside: Vec<f64>, value: f64 },
+    /// The amplitude of a quantity as it is shown, at the frequency of the file, with its dynamic coefficient.
+    Forced { label: Text, omega: f64, amplitude: (f64, String), gain: Option<f64> },
+    /// A frequency at which a quantity rests; least only, where it is not exact.
+    Antiresonance { label: Text, omega: f64, exact: bool },
     /// A periodic regime with its period and the largest size of the multipliers that are not that of the shift along it.
     Regime { period: f64, stable: bool },
     /// (ω_max − ω_min)/ω_mean.
@@ -42,7 +46,10 @@ pub fn greatest(equations: &Equations, (data, plots): (&Dataset, &[Plot]), langu
     // what is plotted is what was asked for
     let plotted: Vec<&str> = plots.iter().flat_map(|plot| plot.y.iter().map(String::as_str)).collect();
     let name = |e: &analysis::dataset::Extreme| data.columns[e.column].quantity.name.as_str();
-    let mut extremes: Vec<_> = data.extremes.iter().filter(|e| named(name(e))).collect();
+    // where the file names nothing, the motion itself is what was found
+    let any = equations.outputs.iter().any(|o| o.role == Role::Named);
+    let moves = |name: &str| !any && equations.outputs.iter().any(|o| o.name == name && o.role == Role::Coordinate);
+    let mut extremes: Vec<_> = data.extremes.iter().filter(|e| named(name(e)) || moves(name(e))).collect();
     extremes.arrange_by_key(|e| plotted.iter().position(|p| *p == name(e)).unwrap_or(usize::MAX));
     let one = |e: &analysis::dataset::Extreme| {
         let column = &data.columns[e.column];

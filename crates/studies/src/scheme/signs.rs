@@ -61,11 +61,9 @@ impl Sketch<'_> {
 
     /// Gives a group the next number.
     pub(super) fn number(&mut self, group: usize, at: P, away: f64) {
-        // the number of its first body in the order of the file, as in the written calculation
-        let frames = &self.machine.model.frames;
-        let bodies = |until: usize| frames[..=until].iter().filter(|f| f.is_body).count();
-        let first = self.groups.all[group].frames.iter().map(|f| f.index()).filter(|i| frames[*i].is_body).min();
-        let next = first.map_or(0, bodies);
+        // the least of its bodies' numbers, as in the written calculation
+        let numbers = crate::numbering::numbers(&self.machine.model);
+        let next = self.groups.all[group].frames.iter().filter_map(|f| numbers[f.index()]).min().unwrap_or(0);
         self.groups.all[group].number = next;
         self.rides = Rides::on(group);
         self.note(LabelText::Number(next), at, away, None);

@@ -2,7 +2,7 @@
 
 use crate::small::Small;
 use symbolic::equations::Equality;
-use symbolic::{Equations, Expr, Function, Graph, Linear, Substitution, SymbolId};
+use symbolic::{Equations, Expr, Function, Graph, Linear, Node, Substitution, SymbolId};
 
 /// More coordinates than this are not written out.
 const LARGEST: usize = 6;
@@ -23,7 +23,19 @@ pub struct Written {
 /// The linear system with the exact place put in, where it is exactly known: zero, or the start. None when a coefficient still contains a
 /// coordinate.
 pub fn at_place(equations: &Equations, small: &Small) -> Option<Linear> {
-    let mut linear = small.machine.linear().clone();
+    let still = |linear: &mut Linear, (symbol, _): (SymbolId, Expr)| {
+        let e = linear.graph.symbol(symbol);
+        Some(small.machine.values_of(&[e], &small.place).ok()?[0] > 0.0)
+    };
+    placed(small.machine.linear().clone(), (equations, small), still)
+}
+
+/// The same for any linear system of these equations; `still` says whether a rate vanishes.
+fn placed(
+    mut linear: Linear,
+    (equations, small): (&Equations, &Small),
+    still: impl Fn(&mut Linear, (SymbolId, Expr)) -> Option<bool>,
+) -> Option<Linear> {
     let mut place: Vec<(SymbolId, Expr)> = Vec::new();
     for (coordinate, q) in equations.coordinates.iter().zip(&small.place.q) {
         let start = small.machine.values_of(&[coordinate.start], &small.place).ok()?[0];
@@ -34,9 +46,8 @@ pub fn at_place(equations: &Equations, small: &Small) -> Option<Linear> {
         };
         place.push((coordinate.symbols[0], e));
     }
-    for (symbol, _) in linear.stills.list.clone() {
-        let e = linear.graph.symbol(symbol);
-        let still = small.machine.values_of(&[e], &small.place).ok()?[0] > 0.0;
+    for (symbol, formula) in linear.stills.list.clone() {
+        let still = still(&mut linear, (symbol, formula))?;
         place.push((symbol, if still { linear.graph.one() } else { linear.graph.zero() }));
     }
     let linear = linear.at(&place);
@@ -58,7 +69,14 @@ pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
     if n > LARGEST || !small.machine.linear().conditions.is_empty() {
         return None;
     }
-    let mut linear = at_place(equations, small)?;
+    let mut linear = match stepped(small.machine.equations()) {
+        Some((named, values)) => {
+            let find = |s: SymbolId| values.iter().find(|(n, _)| *n == s).map_or(f64::NAN, |(_, v)| *v);
+            let still = |linear: &mut Linear, (_, formula): (SymbolId, Expr)| Some(linear.graph.evaluate(&[formula], &find)[0] > 0.0);
+            placed(Linear::new(&named, small.machine.linear().about), (equations, small), still)?
+        }
+        None => at_place(equations, small)?,
+    };
     let means = means(small, &mut linear.graph);
     let linear = linear.at(&means);
     let mut graph = linear.graph.clone();
@@ -96,6 +114,43 @@ pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
         list.push(Equality { left, right });
     }
     Some(Written { graph, equations: list })
+}
+
+/// The equations with quantities that time switches between constants as constants: in print they stay letters with a unit, and do not become the number
+/// that they begin with; with the values of parameters and definitions. None where there is none.
+fn stepped(equations: &Equations) -> Option<(Equations, Vec<(SymbolId, f64)>)> {
+    let mut named = equations.clone();
+    let mut values: Vec<(SymbolId, f64)> = vec![(equations.time, 0.0)];
+    values.extend(equations.parameters.iter().map(|p| (p.symbol, p.value)));
+    let mut some = false;
+    for definition in &mut named.definitions {
+        let find = |s: SymbolId| values.iter().find(|(n, _)| *n == s).map_or(f64::NAN, |(_, v)| *v);
+        let timed = |graph: &Graph, e| graph.contains(e, |s| s == equations.time);
+        if timed(&named.graph, definition.formula)
+            && let Some(branch) = at_start(&mut named.graph, definition.formula, (equations.time, &find))
+            && !timed(&named.graph, branch)
+        {
+            definition.formula = branch;
+            some = true;
+        }
+        let value = named.graph.evaluate(&[definition.formula], &find)[0];
+        values.push((definition.symbol, value));
+    }
+    some.then_some((named, values))
+}
+
+/// What a switch is just after t = 0; none where its guard has no value there.
+fn at_start(graph: &mut Graph, mut e: Expr, (time, find): (SymbolId, &dyn Fn(SymbolId) -> f64)) -> Option<Expr> {
+    while let Node::Switch { guard, then, otherwise, .. } = *graph.node(e) {
+        let rate = graph.derivative(guard, time);
+        let at = graph.evaluate(&[guard, rate], find);
+        let side = if at[0] == 0.0 { at[1] } else { at[0] };
+        if !side.is_finite() {
+            return None;
+        }
+        e = if side >= 0.0 { then } else { otherwise };
+    }
+    Some(e)
 }
 
 /// Digits of the mean of a waveform in print.

@@ -3,7 +3,7 @@
 mod found;
 mod tell;
 
-pub use found::{Order, ResponseFound};
+pub use found::{Deformed, Order, ResponseFound};
 use tell::{columns, own_column, state, to_json};
 
 use crate::failure::in_words;
@@ -55,8 +55,11 @@ const TRACKED: usize = 101;
 /// Largest residual of the superposed motion, relative to its terms.
 const RESIDUAL: f64 = 1e-8;
 
+/// Who draws the rods of the machine's frame at these points; nothing of a machine without one.
+pub type Drawn = fn(&Machine, &[Point]) -> Vec<Deformed>;
+
 /// Makes the study: a column for the frequency and five for each output.
-pub fn find(machine: &Machine, study: &Study) -> Results {
+pub fn find(machine: &Machine, study: &Study, drawn: Drawn) -> Results {
     let mut out = ResponseFound {
         study: study.clone(),
         outputs: Vec::new(),
@@ -72,6 +75,7 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
         changes: Vec::new(),
         slack: Vec::new(),
         shapes: Vec::new(),
+        deformed: Vec::new(),
         coordinates: Vec::new(),
         bodies: bodies(machine),
         load: Text::default(),
@@ -82,6 +86,7 @@ pub fn find(machine: &Machine, study: &Study) -> Results {
     };
     let mut data = Dataset::default();
     let found = small.and_then(|small| mounted(machine, study, small, (&mut out, &mut data)));
+    out.deformed = drawn(machine, &out.shapes);
     let trouble = found.err().map(|fault| Notice::from(of_output(machine, study, fault)));
     data.partial |= trouble.is_some();
     Results {
@@ -154,7 +159,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     }
     let found = modes(&matrices, &names, Normalisation::Largest)?;
     let (source, parameter) = source(machine, study, &mut small)?;
-    out.load = load_name(study, &small, &source, parameter);
+    out.load = load_name(machine, study, &small, (&source, parameter));
     let (quantities, formulas) = observed(study, machine);
     refuse_open(machine, &quantities)?;
     let mut notes = remarks(machine, &small);

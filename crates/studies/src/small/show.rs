@@ -2,7 +2,7 @@
 
 use crate::results::{Results, Show, View};
 use crate::small::modes::{Found, columns};
-use crate::small::response::ResponseFound;
+use crate::small::response::{Deformed, ResponseFound};
 use analysis::Dataset;
 use mechanics::model::FrequencyVariable;
 use report::document::{Formula, Inline, Rich};
@@ -266,9 +266,7 @@ fn response(found: &ResponseFound, results: &Results, view: &View) -> Vec<Block>
     if let Some(superposed) = &found.superposed {
         blocks.push(Block::Table(superposed_table(found, superposed, language)));
     }
-    for shape in &found.shapes {
-        blocks.push(Block::Table(shape_table(found, shape, language)));
-    }
+    blocks.extend((!found.shapes.is_empty()).then(|| Block::Table(shapes_table(found, language))));
     if !found.resonances.is_empty() {
         blocks.push(Block::Table(resonances(found, language)));
     } else if results.trouble.is_none() {
@@ -367,19 +365,30 @@ fn superposed_table(found: &ResponseFound, s: &analysis::studies::superposition:
     table
 }
 
-fn shape_table(found: &ResponseFound, shape: &analysis::studies::response::Point, language: Language) -> Table {
+/// Motions at the frequencies asked for: the coordinates, and what else is wanted.
+fn shapes_table(found: &ResponseFound, language: Language) -> Table {
     use analysis::studies::response::{magnitude, phase};
-    let omega = report::number::short(shape.omega, DIGITS, language);
-    let title = format!(
-        "{} ω = {}",
-        language.pick("shape at", "форма при"),
-        report::number::with_unit(&omega, &report::unit::print("rad/s", language))
+    let words = language.pick(
+        ["given frequencies ω", "quantity", "amplitude", "phase", "static", "amplification"],
+        ["заданные частоты ω", "величина", "амплитуда", "фаза", "статически", "коэффициент динамичности"],
     );
-    let words = language.pick(["amplitude", "phase"], ["амплитуда", "фаза"]);
     let unit = language.word(Word::Unit);
-    let mut table = Table::new(heads(&[(&title, ""), (unit, ""), (words[0], ""), (words[1], "rad")], language));
-    for (q, z) in found.coordinates.iter().zip(&shape.coordinates) {
-        table.row(named(q, language).into_iter().chain([in_unit(q, magnitude(*z)), phase(*z)].map(|x| number(x, language))).collect());
+    let columns = [(words[0], "rad/s"), (words[1], ""), (unit, ""), (words[2], ""), (words[3], "rad"), (words[4], ""), (words[5], "")];
+    let mut table = Table::new(heads(&columns, language));
+    let output = |q: &analysis::Quantity| found.outputs.iter().position(|o| o.name == q.name);
+    let coordinate = |q: &analysis::Quantity| found.coordinates.iter().position(|c| c.name == q.name);
+    for shape in &found.shapes {
+        let others = found.outputs.iter().filter(|q| coordinate(q).is_none());
+        for q in found.coordinates.iter().chain(others) {
+            let wanted = output(q);
+            let Some(z) = coordinate(q).map(|i| shape.coordinates[i]).or_else(|| Some(shape.outputs[wanted?])) else { continue };
+            let still = wanted.map_or(f64::NAN, |k| magnitude(shape.still[k]));
+            let mut row = vec![number(shape.omega, language)];
+            row.extend(named(q, language));
+            row.extend([in_unit(q, magnitude(z)), phase(z), in_unit(q, still)].map(|x| number(x, language)));
+            row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
+            table.row(row);
+        }
     }
     table
 }
@@ -459,7 +468,43 @@ fn response_figures(found: &ResponseFound, data: &Dataset, language: Language) -
         figures.push(figure);
     }
     figures.extend(nyquist(found, data, language));
+    figures.extend(found.deformed.iter().map(|d| deformed(d, language)));
     figures
+}
+
+/// The deformed rods at a frequency of the load.
+fn deformed(found: &Deformed, language: Language) -> Figure {
+    let omega = report::number::short(found.omega, 5, language);
+    let times = report::number::short(found.factor, 2, language);
+    let title = language.pick(
+        format!("Deformed rods under the largest load, ω = {omega} rad/s, magnified ×{times}"),
+        format!("Форма вынужденных колебаний при наибольшей нагрузке, ω = {omega} рад/с, увеличение ×{times}"),
+    );
+    let curve = |label: (&str, &str), line: &(Vec<f64>, Vec<f64>), name: &str| Series {
+        name: name.into(),
+        label: language.pick(label.0, label.1).into(),
+        x: line.0.clone(),
+        y: line.1.clone(),
+        pen: Pen::Line,
+    };
+    let series = vec![
+        curve(("undeformed", "недеформированная схема"), &found.straight, ""),
+        curve(("deformed", "деформированная схема"), &found.line, "w"),
+    ];
+    let largest = found.straight.0.iter().chain(&found.straight.1).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+    let axis = |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column("m", largest), log: false };
+    Figure {
+        name: format!("deformed-{omega}").replace([',', '.'], "-"),
+        title: title.as_str().into(),
+        kind: Kind::Plane { equal: true },
+        x: axis("x"),
+        y: axis("y"),
+        series,
+        marks: Vec::new(),
+        along: None,
+        strip: Vec::new(),
+        field: None,
+    }
 }
 
 /// An amplitude without bound is drawn up to so many times what it is over most of the range: with more the rest would lie on the axis.

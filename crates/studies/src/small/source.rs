@@ -93,11 +93,19 @@ fn parameters_of(small: &Small, rate: Expr) -> Vec<usize> {
     found
 }
 
-pub(super) fn load_name(study: &Study, small: &Small, source: &Source, parameter: Option<usize>) -> Text {
+pub(super) fn load_name(machine: &Machine, study: &Study, small: &Small, (source, parameter): (&Source, Option<usize>)) -> Text {
     let frequency = parameter.map(|p| small.machine.parameters()[p].symbol.as_str());
     match (source, &study.load, frequency) {
         (Source::Unit(_), Some(name), _) => Text::new(format!("unit load on {name}"), format!("единичная нагрузка по {name}")),
-        (_, Some(name), _) => Text::same(name.clone()),
+        (_, Some(name), _) => {
+            // `P`, or `forces.P` where two tables have it
+            let meant = |path: &str| path == name || path.split_once('.').is_some_and(|(_, own)| own == name);
+            let labelled = machine.model.elements.iter().find(|e| meant(&e.path) && !e.label.en.is_empty());
+            labelled.map_or_else(
+                || Text::same(name.clone()),
+                |e| Text::new(format!("{} ({name})", e.label.en), format!("{} ({name})", e.label.ru)),
+            )
+        }
         (_, None, Some(p)) => {
             let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::symbol::plain(p, language));
             Text::new(format!("the loads whose frequency follows {en}"), format!("нагрузки, частота которых задана величиной {ru}"))

@@ -2,6 +2,11 @@
 
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
+use crate::frame::bind::bind;
+use crate::frame::coordinates::{coordinates, is_bare};
+use crate::machine::Machine;
+use crate::small::response::Deformed;
+use analysis::studies::response::{Point, magnitude, phase};
 use report::Figure;
 use report::figure::{Axis, Kind, Mark, Pen, Series};
 use report::unit::Scale;
@@ -26,6 +31,29 @@ pub fn modes(found: &ModesFound, language: Language) -> Vec<Figure> {
         figure(&format!("mode-{}", i + 1), title, vec![straight(&r.frame, language), curve("w", language.pick("shape", "форма"), shape)])
     };
     r.modes.iter().take(6).enumerate().map(draw).collect()
+}
+
+/// The rods of a bare frame at points of a response, while the load is largest: amplitude times the cosine of the phase against it.
+pub fn forced(machine: &Machine, points: &[Point]) -> Vec<Deformed> {
+    let model = &machine.model;
+    let Some(structure) = model.structure.as_ref().filter(|_| !points.is_empty() && is_bare(model)) else { return Vec::new() };
+    let mut bound = bind(model, structure);
+    let Ok(Some(found)) = coordinates(model, structure, &mut bound) else { return Vec::new() };
+    let assembly = Assembly::of(&bound.frame);
+    let n = found.named.len() + found.amplitudes;
+    let mut straight = Line::default();
+    rods(&bound.frame, &mut straight);
+    let draw = |point: &Point| {
+        let q: Vec<f64> = point.coordinates.iter().map(|z| magnitude(*z) * algebra::elementary::cos(phase(*z))).collect();
+        if q.len() != n || q.iter().any(|v| !v.is_finite()) {
+            return None;
+        }
+        let free = structures::dense::product(&found.basis, &q, found.n_q, n, 1);
+        let places = displaced(&bound.frame, &assembly, &assembly.elimination.expand(&free), &[]);
+        let (line, factor) = magnified(&bound.frame, &places);
+        (factor > 0.0).then(|| Deformed { omega: point.omega, straight: straight.clone(), line, factor })
+    };
+    points.iter().filter_map(draw).collect()
 }
 
 /// Deflection and diagrams.
@@ -214,13 +242,18 @@ fn push(line: &mut Line, p: [f64; 2]) {
     line.1.push(p[1]);
 }
 
+/// The rods from end to end.
+fn rods(frame: &Frame<f64>, line: &mut Line) {
+    for rod in &frame.rods {
+        rod.ends.iter().for_each(|i| push(line, frame.nodes[*i].at));
+        push(line, [f64::NAN, f64::NAN]);
+    }
+}
+
 /// The rods as they are.
 fn straight(frame: &Frame<f64>, language: Language) -> Series {
     let mut line = Line::default();
-    for rod in &frame.rods {
-        rod.ends.iter().for_each(|i| push(&mut line, frame.nodes[*i].at));
-        push(&mut line, [f64::NAN, f64::NAN]);
-    }
+    rods(frame, &mut line);
     curve("", language.pick("undeformed", "недеформированная схема"), line)
 }
 

@@ -83,7 +83,7 @@ fn bodies(work: &Work, at: &Instant) -> Vec<Body> {
     let values = known(&work.calculation.machine, at);
     let value = |s| values.get(&s).copied().unwrap_or(0.0);
     let mut places = Places::new(model);
-    let frames: Vec<FrameId> = (1..model.frames.len()).map(FrameId).filter(|f| model.frames[f.index()].is_body).collect();
+    let frames: Vec<FrameId> = work.by_number().into_iter().map(|(i, _)| FrameId(i)).collect();
     let turned: Vec<[Expr; 2]> = frames.iter().map(|f| places.frame(*f).1).map(|r| [r[0][0], r[1][0]]).collect();
     let named: Vec<Vec<(Option<String>, [Expr; 3])>> = frames.iter().map(|f| points(work, *f, &mut places)).collect();
     let mut graph = places.graph().clone();

@@ -16,10 +16,17 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     let checks = Conclusion::Checks { all: audits.len(), failed: audits.iter().filter(|a| !a.ok).count() };
     let held = statements.chain([checks]).filter(Conclusion::holds);
     let symbols = super::sentences::Symbols::of(work);
-    for (i, statement) in held.enumerate() {
-        let line = format!("{}. {}", i + 1, statement.words(work.language));
+    // two ways to one motion say the same of it
+    let mut told: Vec<String> = Vec::new();
+    for statement in held {
+        let words = statement.words(work.language);
+        if told.contains(&words) {
+            continue;
+        }
+        let line = format!("{}. {words}", told.len() + 1);
+        told.push(words);
         match statement {
-            Conclusion::Held { .. } => pen.tell(symbols.split(&line)),
+            Conclusion::Held { .. } | Conclusion::Irregular { .. } => pen.tell(symbols.split(&line)),
             _ => pen.say(line),
         }
     }
@@ -42,6 +49,10 @@ impl Conclusion {
                     && shown.0.is_finite()
                     && beside.iter().all(|v| v.is_nan() || v.abs() <= bound)
             }
+            Conclusion::Forced { omega, amplitude, .. } => {
+                *omega > 0.0 && omega.is_finite() && amplitude.0 >= 0.0 && amplitude.0.is_finite()
+            }
+            Conclusion::Antiresonance { omega, exact, .. } => *exact && *omega > 0.0 && omega.is_finite(),
             Conclusion::Regime { period, .. } => *period > 0.0 && period.is_finite(),
             Conclusion::Irregular { delta } => *delta >= 0.0 && delta.is_finite(),
             Conclusion::Needed { delta, found } => {
@@ -77,6 +88,16 @@ impl Conclusion {
                     format!("Наибольшее по модулю значение величины «{label}» равно {value} при t\u{a0}=\u{a0}{t}\u{a0}с."),
                 )
             }
+            Conclusion::Forced { label, omega, amplitude: (value, unit), gain } => {
+                forced(&lowered(language.text(label)), (*omega, *gain), &report::number::with_unit(&number(*value), unit), language)
+            }
+            Conclusion::Antiresonance { label, omega, .. } => {
+                let (label, omega) = (lowered(language.text(label)), number(*omega));
+                language.pick(
+                    format!("Antiresonance of “{label}”: it rests at ω\u{a0}=\u{a0}{omega}\u{a0}rad/s."),
+                    format!("Антирезонанс величины «{label}»: при ω\u{a0}=\u{a0}{omega}\u{a0}рад/с её амплитуда равна нулю."),
+                )
+            }
             Conclusion::Regime { period, stable } => {
                 let period = number(*period);
                 match stable {
@@ -92,8 +113,10 @@ impl Conclusion {
             }
             Conclusion::Irregular { delta } => {
                 let delta = number(*delta);
-                language
-                    .pick(format!("The irregularity of running is {delta}."), format!("Коэффициент неравномерности хода равен {delta}."))
+                language.pick(
+                    format!("The irregularity of running (ω_max − ω_min)/ω_m is {delta}."),
+                    format!("Коэффициент неравномерности хода (ω_max − ω_min)/ω_m равен {delta}."),
+                )
             }
             Conclusion::Needed { delta, found } => needed(*delta, found, language),
             Conclusion::Held { found } => {
@@ -117,6 +140,19 @@ fn listed(found: &[(String, f64, String)], language: Language) -> String {
     let number = |x: f64| report::number::short(x, DIGITS, language);
     let one = |(name, value, unit): &(String, f64, String)| format!("{name} = {}", report::number::with_unit(&number(*value), unit));
     found.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+/// The amplitude of forced oscillations.
+fn forced(label: &str, (omega, gain): (f64, Option<f64>), amplitude: &str, language: Language) -> String {
+    let number = |x: f64| report::number::short(x, DIGITS, language);
+    let omega = number(omega);
+    let gain = gain.filter(|g| g.is_finite()).map(number);
+    let gain =
+        gain.map_or_else(String::new, |g| language.pick(format!(", {g} times the static one"), format!(", коэффициент динамичности {g}")));
+    language.pick(
+        format!("The amplitude of “{label}” at ω\u{a0}=\u{a0}{omega}\u{a0}rad/s is {amplitude}{gain}."),
+        format!("Амплитуда вынужденных колебаний величины «{label}» при ω\u{a0}=\u{a0}{omega}\u{a0}рад/с равна {amplitude}{gain}."),
+    )
 }
 
 /// What a cycle needs.
@@ -229,6 +265,8 @@ mod tests {
                 Conclusion::Needed { delta: Some(t), found: vec![("J".into(), value, "kg".into())] },
                 Conclusion::Needed { delta: None, found: all.iter().map(|v| ("x".to_owned(), *v, String::new())).collect() },
                 Conclusion::Rest { stable: decided.clone() },
+                Conclusion::Forced { label: words::Text::same("x"), omega: t, amplitude: (value, "m".into()), gain: Some(all[0]) },
+                Conclusion::Antiresonance { label: words::Text::same("x"), omega: value, exact: t > 0.0 },
             ];
             for statement in statements {
                 if !statement.holds() {
@@ -254,6 +292,11 @@ mod tests {
                         assert_eq!(words.contains("wanted"), delta.is_some(), "{words}");
                         assert!(delta.is_none_or(|d| d > 0.0), "{statement:?}");
                     }
+                    Conclusion::Forced { omega, gain, .. } => {
+                        assert!(*omega > 0.0 && value >= 0.0, "{statement:?}");
+                        assert_eq!(words.contains("static"), gain.is_some_and(f64::is_finite), "{words}");
+                    }
+                    Conclusion::Antiresonance { exact, .. } => assert!(*exact && value > 0.0, "{statement:?}"),
                     _ => assert!(value >= 0.0),
                 }
             }

@@ -1,13 +1,14 @@
 //! Chapter 3: energies, generalized forces by virtual power, Lagrange's equations, the check by a second derivation, equilibrium.
 
 use super::facts::Moves;
-use super::kinematics::definitions;
+use super::kinematics::{definitions, other_definitions};
 use super::pen::{Pen, inline, words};
 use super::quantity::fitted;
 use super::wording::Word;
 use super::work::Work;
 use crate::connections;
 use crate::shown::{Role, role};
+use algebra::arrange::Arrange;
 use mechanics::model::{Depth, Frame, Inertia};
 use report::document::{Inline, Rich};
 use report::formula::{Layout, Relation, Sign};
@@ -48,12 +49,12 @@ impl Work<'_> {
     }
 
     fn index_of(&self, letter: &str, name: &str) -> String {
-        let bodies: Vec<&Frame> = self.model.frames.iter().filter(|f| f.is_body).collect();
         if letter == "Q" || name.is_empty() {
             return name.to_owned();
         }
-        if let Some(i) = bodies.iter().position(|f| f.name == name) {
-            return (i + 1).to_string();
+        let body = self.model.frames.iter().position(|f| f.is_body && f.name == name);
+        if let Some(n) = body.and_then(|i| self.number(mechanics::model::FrameId(i))) {
+            return n.to_string();
         }
         // springs and dampers may have one name
         let own = if letter == "Φ" { Part::Dissipation } else { Part::Potential };
@@ -78,7 +79,7 @@ fn kinetic(work: &Work, pen: &mut Pen) {
         return total(work, "T", work.equations.energy.kinetic, pen);
     };
     let massless = work.model.frames.iter().any(|f| f.is_body && f.mass.is_none());
-    for formula in &step.formulas {
+    for formula in by_number(work, &step.formulas) {
         let StepName::Quantity { index, .. } = &formula.left else { continue };
         let single = step.formulas.len() == 1;
         let heavy: Vec<&Frame> = work.model.frames.iter().filter(|f| f.is_body && f.mass.is_some()).collect();
@@ -99,10 +100,19 @@ fn kinetic(work: &Work, pen: &mut Pen) {
         );
     }
     let rights: Vec<Expr> = step.formulas.iter().map(|f| f.right).collect();
-    let occurring = work.equations.graph.symbols_in(&rights);
-    if work.equations.definitions.iter().any(|d| d.shown && occurring.binary_search(&d.symbol).is_ok()) {
-        definitions(work, pen);
-    }
+    definitions(work, &rights, pen);
+}
+
+/// Formulas of bodies in the order of their numbers, that of the system behind them.
+fn by_number<'f>(work: &Work, formulas: &'f [StepFormula]) -> Vec<&'f StepFormula> {
+    let frame = |f: &StepFormula| match &f.left {
+        StepName::Quantity { index, .. } => work.model.frames.iter().position(|f| f.is_body && f.name == *index),
+        _ => None,
+    };
+    let place = |f: &StepFormula| frame(f).and_then(|i| work.number(mechanics::model::FrameId(i))).unwrap_or(usize::MAX);
+    let mut list: Vec<&StepFormula> = formulas.iter().collect();
+    list.arrange_by_key(|f| place(f));
+    list
 }
 
 /// The sentence before the kinetic energy of a body.
@@ -149,42 +159,71 @@ fn letters(work: &Work, law: &str) -> Layout {
 /// The terms of Π or Φ, then their sum.
 fn energy(work: &Work, part: Part, pen: &mut Pen) {
     let Some(step) = step(work, part) else { return };
-    pen.say(match part {
-        Part::Potential => potential(work),
-        _ => work.language.pick(
-            "The dissipation function of a viscous damper is b u²/2 with the rate u of its elongation or turn:",
-            "Диссипативная функция вязкого демпфера равна b u²/2, где u – скорость его удлинения или закручивания:",
-        ),
-    });
+    match part {
+        Part::Potential => pen.tell(potential(work)),
+        _ => pen.tell(set(
+            work,
+            work.language.pick(
+                "The dissipation function of a viscous damper is {b u²/2} with the rate {u} of its elongation or turn:",
+                "Диссипативная функция вязкого демпфера равна {b u²/2}, где {u} – скорость его удлинения или закручивания:",
+            ),
+        )),
+    }
     for formula in step.formulas.iter().filter(|f| step.formulas.len() == 1 || !work.equations.graph.is_zero(f.right)) {
         pen.numbered(fitted(&work.printer, work.step_formula(formula)));
     }
+    let rights: Vec<Expr> = step.formulas.iter().map(|f| f.right).collect();
+    definitions(work, &rights, pen);
 }
 
 /// What the potential energy of this machine is made of.
-fn potential(work: &Work) -> &'static str {
+fn potential(work: &Work) -> Vec<Inline> {
     let model = work.model;
     let springs = model.elements.iter().any(|e| role(e.table) == Role::Spring);
     let weight = model.gravity.is_some() && model.frames.iter().any(|f| f.is_body && f.mass.is_some());
     let framed = model.structure.is_some();
-    match (weight, springs, framed) {
+    let told = match (weight, springs, framed) {
         (true, true, _) => work.language.pick(
-            "The potential energy of gravity is m g h, that of a spring c δ²/2 with its elongation or turn δ:",
-            "Потенциальная энергия силы тяжести равна m g h, пружины – c δ²/2, где δ – её удлинение или угол закручивания:",
+            "The potential energy of gravity is {m g h} with the height {h} of the mass centre, that of a spring {c δ²/2} with its elongation or turn {δ}:",
+            "Потенциальная энергия силы тяжести равна {m g h}, где {h} – высота центра масс, пружины – {c δ²/2}, где {δ} – её удлинение или угол закручивания:",
         ),
         (true, false, _) => {
-            work.language.pick("The potential energy of gravity is m g h:", "Потенциальная энергия силы тяжести равна m g h:")
+            work.language.pick(
+                "The potential energy of gravity is {m g h} with the height {h} of the mass centre:",
+                "Потенциальная энергия силы тяжести равна {m g h}, где {h} – высота центра масс:",
+            )
         }
         (false, true, _) => work.language.pick(
-            "The potential energy of a spring is c δ²/2 with its elongation or turn δ:",
-            "Потенциальная энергия пружины равна c δ²/2, где δ – её удлинение или угол закручивания:",
+            "The potential energy of a spring is {c δ²/2} with its elongation or turn {δ}:",
+            "Потенциальная энергия пружины равна {c δ²/2}, где {δ} – её удлинение или угол закручивания:",
         ),
         (false, false, true) => work.language.pick(
             "The potential energy is that of the deformation of the rods, a quadratic form of the displacements:",
             "Потенциальная энергия – энергия деформации стержней, квадратичная форма перемещений:",
         ),
         (false, false, false) => work.language.pick("The potential energy is", "Потенциальная энергия"),
-    }
+    };
+    set(work, told)
+}
+
+/// Words with the textbook's formulas among them: products of letters, a square, a half; each in braces.
+fn set(work: &Work, told: &str) -> Vec<Inline> {
+    let letter = |name: &str| match name.strip_suffix('²') {
+        Some(base) => {
+            let two = Layout::Number { mantissa: "2".into(), exponent: None };
+            Layout::Power(Box::new(Layout::Symbol(work.printer.named(base))), Box::new(two))
+        }
+        None => Layout::Symbol(work.printer.named(name)),
+    };
+    let formula = |text: &str| {
+        let (above, half) = text.strip_suffix("/2").map_or((text, false), |above| (above, true));
+        let mut factors: Vec<Layout> = above.split(' ').map(letter).collect();
+        let product = if factors.len() == 1 { factors.remove(0) } else { Layout::Product(factors) };
+        // a fraction within a sentence would be small: it stands on the line
+        inline(if half { Layout::Row(vec![product, Layout::Words("/2".into())]) } else { product })
+    };
+    let pieces = told.split(['{', '}']).enumerate();
+    pieces.filter(|(_, text)| !text.is_empty()).map(|(i, text)| if i % 2 == 1 { formula(text) } else { words(text) }).collect()
 }
 
 fn total(work: &Work, letter: &str, energy: Expr, pen: &mut Pen) {
@@ -227,6 +266,8 @@ fn forces(work: &Work, pen: &mut Pen) {
         let layout = work.settled(|printer| printer.step(&graph, formula));
         pen.numbered(fitted(&work.printer, layout));
     }
+    let rights: Vec<Expr> = step.formulas.iter().map(|f| f.right).collect();
+    definitions(work, &rights, pen);
 }
 
 /// The derivatives, the reactions, the equations.
@@ -259,7 +300,7 @@ fn lagrange(work: &Work, pen: &mut Pen) {
         laws.into_iter().for_each(|layout| pen.formula(work.printer.block(layout)));
     }
     impacts(work, pen);
-    definitions(work, pen);
+    other_definitions(work, pen);
 }
 
 /// d/dt ∂T/∂q' − ∂T/∂q = −∂Π/∂q − ∂Φ/∂q' + Q + R with the terms that the machine has, for its coordinate or for the i-th of several.
@@ -289,12 +330,18 @@ fn law(work: &Work, step: &Step, pen: &mut Pen) {
     let left = Layout::Sum(vec![(Sign::Plus, momentum), (Sign::Minus, partial("T", q))]);
     pen.say(work.language.pick("Lagrange's equations of the second kind are", "Уравнения Лагранжа второго рода имеют вид"));
     pen.formula(work.printer.block(Layout::Related(Box::new(left), Relation::Equal, Box::new(right))));
-    let reacting = has("+ R") || has("= R");
-    if reacting {
-        pen.say(
-            work.language
-                .pick("where R are the generalized forces of reactions and drives.", "где R – обобщённые силы реакций и приводов."),
-        );
+    let forces = match index {
+        "" => work.language.pick("the generalized force", "обобщённая сила"),
+        _ => work.language.pick("the generalized forces", "обобщённые силы"),
+    };
+    let loaded = (has("+ Q") || has("= Q")).then(|| ("Q", work.language.pick("of the loads", "нагрузок")));
+    let reacting =
+        (has("+ R") || has("= R")).then(|| ("R", work.language.pick("of the reactions and drives", "реакций связей и приводов")));
+    let named: Vec<(&str, &str)> = loaded.into_iter().chain(reacting).collect();
+    for (i, (letter, meaning)) in named.iter().enumerate() {
+        let lead = if i == 0 { format!("{} ", pen.word(Word::Where)) } else { String::new() };
+        let end = if i + 1 == named.len() { "." } else { ";" };
+        pen.tell(vec![words(lead), inline(force(letter)), words(format!(" – {forces} {meaning}{end}"))]);
     }
     if work.model.report.depth == Depth::Full {
         pen.say(work.language.pick("The derivatives in them are:", "Входящие в них производные:"));

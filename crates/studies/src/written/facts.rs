@@ -1,10 +1,11 @@
-//! What the file gives, as rows of facts: bodies with their motion, connections, elements. Bodies are numbered in the order of the file.
+//! What the file gives, as rows of facts: bodies with their motion, connections, elements.
 
 use super::pen::{inline, words};
 use super::wording::Word;
 use super::work::Work;
 use crate::connections::{self, Own};
 use crate::shown::{Role, role};
+use algebra::arrange::Arrange;
 use mechanics::model::{Element, Frame, FrameId, Inertia, Origin};
 use report::document::Rich;
 use report::formula::{Layout, Relation};
@@ -42,12 +43,18 @@ pub(super) fn part_of(role: Role) -> Option<Part> {
     }
 }
 
-impl Work<'_> {
+impl<'a> Work<'a> {
     /// Numbers of bodies, by frame.
     pub(super) fn number(&self, frame: FrameId) -> Option<usize> {
-        let frames = &self.model.frames;
-        let bodies = frames[..=frame.index()].iter().filter(|f| f.is_body).count();
-        frames[frame.index()].is_body.then_some(bodies)
+        crate::numbering::number(self.model, frame)
+    }
+
+    /// Bodies in the order of their numbers.
+    pub(super) fn by_number(&self) -> Vec<(usize, &'a Frame)> {
+        let numbers = crate::numbering::numbers(self.model);
+        let mut list: Vec<_> = self.model.frames.iter().enumerate().filter(|(_, frame)| frame.is_body).collect();
+        list.arrange_by_key(|(i, _)| numbers[*i]);
+        list
     }
 
     /// Whether a formula changes during the motion.
@@ -122,7 +129,7 @@ impl Work<'_> {
         let heads = [Word::Number, Word::Body, Word::MovesHow, Word::Mass, Word::Inertia].map(|w| Column::new(self.language.word(w)));
         let mut table = Table::new(heads.into());
         let none = || Cell::words(self.language.word(Word::Free0));
-        for (i, frame) in self.model.frames.iter().enumerate().filter(|(_, frame)| frame.is_body) {
+        for (i, frame) in self.by_number() {
             let mass = frame.mass.as_ref().filter(|m| !self.model.graph.is_zero(m.mass));
             let inertia = frame.mass.as_ref().map(|m| match m.inertia {
                 Inertia::Planar(e) if !self.model.graph.is_zero(e) => self.formula(e),

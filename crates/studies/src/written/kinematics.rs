@@ -8,6 +8,7 @@ use report::document::{Inline, Rich};
 use report::formula::{Bracket, Layout, Relation, Sign};
 use report::table::Column;
 use report::{Cell, Table};
+use symbolic::{Expr, SymbolId};
 use words::Language;
 use words::capital;
 
@@ -55,10 +56,12 @@ fn freedoms(work: &Work, pen: &mut Pen) {
     }
     let mut pieces = Vec::new();
     if tied == 0 {
-        pieces.push(words(work.language.pick(
-            format!("The machine has {degrees}. Generalized coordinates: "),
-            format!("Система имеет {degrees}. Обобщённые координаты: "),
-        )));
+        let (en, ru) = if n == 1 {
+            ("The generalized coordinate is ", "Обобщённая координата – ")
+        } else {
+            ("Generalized coordinates: ", "Обобщённые координаты: ")
+        };
+        pieces.push(words(work.language.pick(format!("The machine has {degrees}. {en}"), format!("Система имеет {degrees}. {ru}"))));
         pieces.extend(list);
         pieces.push(words("."));
     } else {
@@ -136,7 +139,8 @@ fn conditions(work: &Work, pen: &mut Pen) {
         pen.numbered(work.printer.block(upright(layout)));
     }
     told_signs(work, pen);
-    definitions(work, pen);
+    let formulas: Vec<Expr> = work.equations.conditions.iter().map(|c| c.place.unwrap_or(c.rate)).collect();
+    definitions(work, &formulas, pen);
 }
 
 /// −a − b = 0 as a + b = 0, and l − (l − s) − x = 0 as s − x = 0.
@@ -240,20 +244,38 @@ fn begun(mut list: Vec<(Sign, Layout)>) -> Vec<(Sign, Layout)> {
     list
 }
 
-/// "where" with the formulas of named quantities.
-pub(super) fn definitions(work: &Work, pen: &mut Pen) {
+/// "where" with the formulas of named quantities that stand in these formulas and were not written yet.
+pub(super) fn definitions(work: &Work, formulas: &[Expr], pen: &mut Pen) {
+    let graph = &work.equations.graph;
+    // what a quantity is made of is told with it
+    let mut wanted = graph.symbols_in(formulas);
+    for definition in work.equations.definitions.iter().rev().filter(|d| d.shown) {
+        if wanted.contains(&definition.symbol) {
+            wanted.extend(graph.symbols_in(&[definition.formula]));
+        }
+    }
+    told(work, |s| wanted.contains(&s), pen);
+}
+
+/// The same with all quantities that are left.
+pub(super) fn other_definitions(work: &Work, pen: &mut Pen) {
+    told(work, |_| true, pen);
+}
+
+fn told(work: &Work, wanted: impl Fn(SymbolId) -> bool, pen: &mut Pen) {
     let constant = |s| work.model.parameters.iter().any(|p| p.symbol == s && p.class == Class::Constant);
     let named = crate::document::named_definitions(work.equations, &work.printer);
-    // constants stand among the data
     let unit = |s| work.equations.definitions.iter().find(|d| d.symbol == s).map_or("", |d| d.unit.as_str());
-    let definitions: Vec<Layout> = (named.into_iter().filter(|(s, _)| !constant(*s)))
-        .map(|(s, layout)| super::quantity::cases_with_unit(layout, unit(s), work.language))
-        .collect();
-    if definitions.is_empty() || std::mem::replace(&mut pen.defined, true) {
+    // constants stand among the data
+    let new: Vec<(SymbolId, Layout)> = named.into_iter().filter(|(s, _)| !constant(*s) && wanted(*s) && !pen.defined.contains(s)).collect();
+    if new.is_empty() {
         return;
     }
     pen.say(pen.word(Word::Where));
-    definitions.into_iter().for_each(|layout| pen.formula(work.printer.block(layout)));
+    for (symbol, layout) in new {
+        pen.defined.push(symbol);
+        pen.formula(work.printer.block(super::quantity::cases_with_unit(layout, unit(symbol), work.language)));
+    }
 }
 
 /// "During all motions 4 − s > 0."

@@ -91,7 +91,9 @@ fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
     let moment = Layout::Symbol(printer.named(if angle { "M_пр" } else { "F_пр" }));
     let moment =
         if work.language == ::words::Language::En { Layout::Symbol(printer.named(if angle { "M_r" } else { "F_r" })) } else { moment };
-    pen.numbered(chain(&printer, vec![moment.clone(), printer.layout(graph, reduced.moment)]));
+    let mut opened = graph.clone();
+    let formula = opened_switches(&mut opened, reduced.moment);
+    pen.numbered(chain(&printer, vec![moment.clone(), printer.layout(&opened, formula)]));
     pen.say(work.language.pick("The equation of the machine is", "Уравнение движения машины"));
     pen.numbered(printer.block(equation(work, reduced, moment)));
     // nothing is closer than the last digit
@@ -102,6 +104,44 @@ fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
         ),
         format!("Оно сопоставлено с уравнениями с реакциями в {STATES} состояниях: наибольшее расхождение {worst} наибольшего слагаемого."),
     ));
+}
+
+/// A sum whose products with a bracket around a switch are multiplied out: a switch behind two signs and a bracket is read by nobody.
+fn opened_switches(graph: &mut Graph, e: Expr) -> Expr {
+    let Node::Sum { constant, terms } = graph.node(e).clone() else { return opened(graph, e) };
+    let mut list = vec![graph.number(constant)];
+    for (term, factor) in &terms {
+        let term = opened(graph, *term);
+        list.push(graph.scale(term, factor));
+    }
+    graph.sum(&list)
+}
+
+/// A product with such a bracket as a sum.
+fn opened(graph: &mut Graph, e: Expr) -> Expr {
+    let Node::Product { coefficient, factors } = graph.node(e).clone() else { return e };
+    let switched = |graph: &Graph, base: Expr| match graph.node(base) {
+        Node::Sum { terms, .. } => {
+            terms.iter().any(|(term, _)| graph.reachable(&[*term]).iter().any(|n| matches!(graph.node(*n), Node::Switch { .. })))
+        }
+        _ => false,
+    };
+    let Some(at) = factors.iter().position(|(base, power)| *power == Rational::from(1) && switched(graph, *base)) else { return e };
+    let Node::Sum { constant, terms } = graph.node(factors[at].0).clone() else { return e };
+    let mut outer = graph.number(coefficient);
+    for (i, (base, power)) in factors.iter().enumerate() {
+        if i != at {
+            let factor = graph.pow(*base, power);
+            outer = graph.mul(outer, factor);
+        }
+    }
+    let first = graph.number(constant);
+    let mut list = vec![graph.mul(outer, first)];
+    for (term, factor) in &terms {
+        let term = graph.scale(*term, factor);
+        list.push(graph.mul(outer, term));
+    }
+    graph.sum(&list)
 }
 
 /// name(argument).
@@ -153,4 +193,36 @@ fn numbers(work: &Work, (graph, whole): (&Graph, Expr), name: &Layout, pen: &mut
     let printer = work.printer.clone().rounded();
     let right = sum_with_unit(printer.layout(&graph, put), unit, work.language);
     pen.formula(chain(&printer, vec![name.clone(), right]));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use symbolic::Edge;
+
+    #[test]
+    fn switches_leave_their_brackets_and_the_value_stays() {
+        let mut graph = Graph::default();
+        let [u, g, f, v] = ["u", "g", "f", "v"].map(|name| graph.symbol_id(name, 0));
+        let [eu, eg, ef, ev] = [u, g, f, v].map(|s| graph.symbol(s));
+        let zero = graph.zero();
+        let switch = graph.switch(ev, Edge::Closed, ef, zero);
+        let bracket = graph.sub(eg, switch);
+        let product = graph.mul(eu, bracket);
+        let minus = graph.neg(product);
+        // -u (g - {f; 0}) - v
+        let whole = graph.sub(minus, ev);
+        let opened = opened_switches(&mut graph, whole);
+        let Node::Sum { terms, .. } = graph.node(opened).clone() else { panic!("a sum") };
+        assert_eq!(terms.len(), 3);
+        for value in [-1.5, 2.5] {
+            let find = |s: SymbolId| if s == v { value } else { 1.0 + 0.25 * s.index() as f64 };
+            let [before, after] = [whole, opened].map(|e| graph.evaluate(&[e], &find)[0]);
+            assert!((before - after).abs() < 1e-15, "{before} {after}");
+        }
+        // a bracket without a switch stays as it is
+        let plain = graph.sub(eg, ev);
+        let product = graph.mul(eu, plain);
+        assert_eq!(opened_switches(&mut graph, product), product);
+    }
 }

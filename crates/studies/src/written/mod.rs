@@ -22,6 +22,7 @@ mod quantity;
 mod reactions;
 mod repeated;
 mod sentences;
+mod shapes;
 mod signs;
 mod statement;
 mod studied;

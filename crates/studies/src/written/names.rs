@@ -68,7 +68,7 @@ impl Work<'_> {
         let label = self.text(label);
         let foreign = self.language == words::Language::Ru && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && name.len() > 2;
         match self.number(frame) {
-            _ if !label.is_empty() => label.to_owned(),
+            Some(_) if !label.is_empty() => crate::numbering::bare(label).to_owned(),
             Some(n) if foreign => format!("тело {n}"),
             _ => name.clone(),
         }
@@ -97,7 +97,7 @@ impl Work<'_> {
         let Frame { name, label, .. } = &self.model.frames[frame.index()];
         let label = self.text(label);
         match self.number(frame) {
-            Some(n) if !label.is_empty() => format!("{body} {n} ({label})"),
+            Some(n) if !label.is_empty() => format!("{body} {n} ({})", crate::numbering::bare(label)),
             Some(n) => format!("{body} {n}"),
             None => format!("{other} «{name}»"),
         }

@@ -5,6 +5,7 @@ use report::document::{Formula, Inline, Rich};
 use report::formula::Layout;
 use report::table::Column;
 use report::{Block, Cell, Table};
+use symbolic::SymbolId;
 use words::Language;
 use words::capital;
 
@@ -48,8 +49,8 @@ pub(super) struct Pen {
     drawn: Vec<(usize, usize)>,
     tables: usize,
     equations: usize,
-    /// Whether the formulas of named quantities were written.
-    pub defined: bool,
+    /// Quantities whose formulas were written.
+    pub defined: Vec<SymbolId>,
     /// The linear equation, where there is one.
     pub coefficients: Option<Coefficients>,
 }
@@ -67,7 +68,7 @@ impl Pen {
             drawn: Vec::new(),
             tables: 0,
             equations: 0,
-            defined: false,
+            defined: Vec::new(),
             coefficients: None,
         }
     }

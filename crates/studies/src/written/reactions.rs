@@ -39,8 +39,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
 /// Bodies on which a reaction acts that somebody asks for, each alone.
 fn free_bodies(work: &Work) -> Vec<Block> {
     let machine = &work.calculation.machine;
-    let frames = machine.model.frames.iter().enumerate().filter(|(_, frame)| frame.is_body);
-    let drawn = frames.filter_map(|(i, frame)| {
+    let drawn = work.by_number().into_iter().filter_map(|(i, frame)| {
         let options = crate::scheme::Options { at: None, body: Some(frame.name.clone()) };
         let mut scheme = crate::scheme::scheme(machine, &options, work.language)?;
         let body = capital(&work.body(mechanics::model::FrameId(i)));

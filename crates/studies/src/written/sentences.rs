@@ -11,6 +11,8 @@ pub(super) struct Symbols {
     list: Vec<(String, String)>,
     /// Connections with their labels.
     labels: Vec<(String, String)>,
+    /// Events with theirs.
+    events: Vec<(String, String)>,
     language: Language,
 }
 
@@ -24,8 +26,11 @@ impl Symbols {
         let parameters = equations.parameters.iter().map(|p| equations.graph.symbol_info(p.symbol).name.clone());
         let names = coordinates.chain(outputs).chain(parameters);
         let labelled = work.model.connections.iter().filter(|c| !work.text(&c.label).is_empty());
-        let labels = labelled.map(|c| (c.name.clone(), work.text(&c.label).to_owned())).collect();
-        Symbols { list: names.map(|name| (shown(&name), name)).map(|(s, n)| (n, s)).collect(), labels, language: work.language }
+        let labels = labelled.map(|c| (c.name.clone(), work.text(&c.label).to_owned()));
+        let labels = labels.collect();
+        let events = work.model.events.iter().filter(|e| !work.text(&e.label).is_empty());
+        let events = events.map(|e| (e.name.clone(), work.text(&e.label).to_owned())).collect();
+        Symbols { list: names.map(|name| (shown(&name), name)).map(|(s, n)| (n, s)).collect(), labels, events, language: work.language }
     }
 
     /// The printed symbol of a token, with its primes.
@@ -84,7 +89,7 @@ impl Symbols {
     /// The label of a connection whose name stands there alone.
     fn called(&self, rich: &Rich) -> Option<Rich> {
         let [Inline::Words(only)] = &rich.0[..] else { return None };
-        self.labels.iter().find(|(name, _)| name == only).map(|(_, label)| Rich::from(label.clone()))
+        self.labels.iter().chain(&self.events).find(|(name, _)| name == only).map(|(_, label)| Rich::from(label.clone()))
     }
 
     /// Blocks of a study as a calculation has them.
@@ -105,7 +110,9 @@ impl Symbols {
             }
             Block::Figure(mut figure) => {
                 for happening in &mut figure.strip {
-                    happening.what = Rich(self.split(&happening.what)).plain(self.language);
+                    // an event with a label needs no words about its formula
+                    let own = happening.what.split_once(": ").and_then(|(name, _)| self.events.iter().find(|(n, _)| n == name));
+                    happening.what = own.map_or_else(|| Rich(self.split(&happening.what)).plain(self.language), |(_, label)| label.clone());
                 }
                 Block::Figure(figure)
             }
@@ -177,7 +184,8 @@ mod tests {
 
     fn symbols(language: Language) -> Symbols {
         let list = [("phi2", "φ_2"), ("force", "force"), ("y", "y")].map(|(a, b)| (a.to_owned(), b.to_owned()));
-        Symbols { list: list.into(), labels: vec![("floor".into(), "пол".into())], language }
+        let labelled = |name: &str, label: &str| vec![(name.to_owned(), label.to_owned())];
+        Symbols { list: list.into(), labels: labelled("floor", "пол"), events: labelled("back", "возвращение"), language }
     }
 
     fn told(text: &str, language: Language) -> String {

@@ -32,6 +32,7 @@ pub(super) fn sections(work: &Work, pen: &mut Pen) {
 pub(super) fn free(work: &Work, pen: &mut Pen) {
     pen.coefficients = super::linear::write(work, pen);
     told(work, Word::Free, pen);
+    super::shapes::write(work, pen);
 }
 
 pub(super) fn forced(work: &Work, pen: &mut Pen) {

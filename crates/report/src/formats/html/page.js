@@ -368,6 +368,7 @@
     root.dataset.theme = isDark() ? "light" : "dark";
     live.forEach((l) => l.repaint());
   };
-  document.querySelector("header").append(button);
+  // a work with a title page has no header
+  document.querySelector("header, footer").append(button);
   dark.addEventListener("change", () => live.forEach((l) => l.repaint()));
 })();

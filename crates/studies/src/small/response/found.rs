@@ -21,6 +21,19 @@ pub struct Order {
     pub points: Vec<Point>,
 }
 
+/// The rods of a frame while the load is largest, as lines with breaks between rods.
+#[derive(Clone, Debug)]
+pub struct Deformed {
+    /// Frequency of the load, rad/s.
+    pub omega: f64,
+    /// The rods as they are.
+    pub straight: (Vec<f64>, Vec<f64>),
+    /// Displaced and magnified.
+    pub line: (Vec<f64>, Vec<f64>),
+    /// How many times.
+    pub factor: f64,
+}
+
 /// What the study found.
 #[derive(Clone, Debug)]
 pub struct ResponseFound {
@@ -52,6 +65,8 @@ pub struct ResponseFound {
     pub slack: Vec<Slack>,
     /// Motions at the frequencies asked for.
     pub shapes: Vec<Point>,
+    /// The rods of a frame at those frequencies.
+    pub deformed: Vec<Deformed>,
     /// The coordinates.
     pub coordinates: Vec<Quantity>,
     /// Names of the bodies that each coordinate moves.

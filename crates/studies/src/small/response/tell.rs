@@ -87,7 +87,9 @@ pub(super) fn state(data: &mut Dataset, output: &str) {
 pub(super) fn to_json(study: &str, found: &ResponseFound) -> Map<String, Value> {
     let mut own = Map::new();
     own.insert("study".into(), json!(study));
-    own.insert("load".into(), json!(found.load.en));
+    // a label is for readers, programs know the load by its name
+    let name = found.study.load.as_ref().filter(|name| found.load.en.ends_with(&format!("({name})")));
+    own.insert("load".into(), json!(name.unwrap_or(&found.load.en)));
     let name = |k: usize| found.outputs.get(k).map_or("", |q| q.name.as_str());
     let resonance = |(r, order): (&Resonance, &f64)| {
         json!({"output": name(r.output), "order": order, "omega": r.omega / order, "f": r.omega / order / TAU, "load_omega": r.omega, "amplitude": r.amplitude, "phase": r.phase,
