@@ -28,6 +28,7 @@ pub fn push_exact(out: &mut Vec<u8>, x: f64) {
 
 /// `x` with this many significant digits: plain between 10⁻³ and 10⁵, otherwise as `1,2·10⁻³`.
 pub fn significant(x: f64, digits: usize, language: Language) -> String {
+    let x = normal(x);
     let Some(exponent) = decimal_exponent(x, digits) else { return special(x) };
     if (-3..5).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
@@ -52,6 +53,11 @@ pub fn short(x: f64, digits: usize, language: Language) -> String {
     format!("{trimmed}{power}")
 }
 
+/// Zero for what lies below the smallest number with all its digits: such a remainder of an underflow has none to show.
+fn normal(x: f64) -> f64 {
+    if x.is_subnormal() { 0.0 } else { x }
+}
+
 /// `x` with this many decimals.
 pub fn fixed(x: f64, decimals: usize, language: Language) -> String {
     if !x.is_finite() {
@@ -62,6 +68,7 @@ pub fn fixed(x: f64, decimals: usize, language: Language) -> String {
 
 /// `x` as mantissa with this many decimals times a power of ten: `1,20·10⁻³`.
 pub fn scientific(x: f64, decimals: usize, language: Language) -> String {
+    let x = normal(x);
     if !x.is_finite() {
         return special(x);
     }
@@ -99,7 +106,7 @@ pub enum Format {
 impl Format {
     /// The format in which the largest value of a column shows `digits` significant digits and all cells have equal decimals.
     pub fn of_column(values: &[f64], digits: usize) -> Format {
-        let largest = values.iter().filter(|x| x.is_finite()).fold(0.0_f64, |m, x| m.max(x.abs()));
+        let largest = normal(values.iter().filter(|x| x.is_finite()).fold(0.0_f64, |m, x| m.max(x.abs())));
         let Some(exponent) = decimal_exponent(largest, digits) else { return Format::Fixed(0) };
         if values.iter().all(|x| x.fract() == 0.0) && largest < 1e9 {
             return Format::Fixed(0);
@@ -114,7 +121,7 @@ impl Format {
     pub fn show(self, x: f64, language: Language) -> String {
         match self {
             Format::Fixed(decimals) => fixed(x, decimals, language),
-            Format::Scientific(_) if x == 0.0 => "0".into(),
+            Format::Scientific(_) if normal(x) == 0.0 => "0".into(),
             Format::Scientific(decimals) => scientific(x, decimals, language),
             Format::Significant(digits) => short(x, digits, language),
         }
@@ -189,6 +196,19 @@ fn localized(ascii: &str, language: Language) -> String {
 mod tests {
     use super::*;
     use Language::{En, Ru};
+
+    #[test]
+    fn what_is_left_of_an_underflow_is_zero() {
+        for x in [-1.7e-322, 5e-324, -f64::MIN_POSITIVE / 2.0] {
+            assert_eq!(short(x, 6, En), "0", "{x}");
+            assert_eq!(scientific(x, 2, Ru), "0,00");
+            let format = Format::of_column(&[x, 0.0], 4);
+            assert!(!format.show(x, En).contains(['−', '·']), "{format:?}");
+            assert_eq!(Format::Scientific(3).show(x, En), "0");
+        }
+        // the smallest number with all its digits stays
+        assert_eq!(short(f64::MIN_POSITIVE, 3, En), "2.23·10⁻³⁰⁸");
+    }
 
     #[test]
     fn significant_digits_in_both_languages() {

@@ -5,7 +5,7 @@
 //! It knows no terminal, process, file or clock.
 //!
 //! Rooms, in order of reading: [`source`], [`watch`], [`failure`], [`wording`], `letters` - [`results`], `provenance`, [`observable`] - [`machine`], [`frame`] - `keys`, [`plan`],
-//! `section`, `numbering`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`map`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], `connections`, [`scheme`], [`calculation`], [`document`],
+//! `section`, `naming`, `numbering`, [`guards`], [`frictions`], `strands`, [`small`], [`structure`], [`phases`] (what several studies share) - one file a study - [`repeat`], [`sweep`], [`map`], [`threshold`], [`claims`], [`answers`], [`variants`] (studies of studies) - [`sections`], [`shown`], `connections`, [`scheme`], [`calculation`], [`document`],
 //! [`written`] (what is shown) - [`pipeline`] (all of it from top to bottom).
 
 // a study fails once: what it says may be large
@@ -33,6 +33,7 @@ mod letters;
 pub mod machine;
 pub mod map;
 pub mod modes;
+mod naming;
 mod numbering;
 pub mod observable;
 pub mod periodic;

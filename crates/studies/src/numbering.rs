@@ -56,7 +56,7 @@ mod tests {
     fn of(labels: &[&str]) -> Vec<usize> {
         let mut text = String::from("[parameters]\nm = \"1 kg\"\n[coordinates]\nx = { unit = \"m\" }\n");
         for (i, label) in labels.iter().enumerate() {
-            text.push_str(&format!("[bodies.b{i}]\nlabel = \"{label}\"\norigin = [\"x\", \"{i}\"]\nmass = \"m\"\n"));
+            text.push_str(&format!("[bodies.b{i}]\nlabel = \"{label}\"\norigin = [\"x\", \"{i} m\"]\nmass = \"m\"\n"));
         }
         let reading = crate::read(&crate::Source::new("model.toml", &text), &[]).unwrap_or_else(|found| panic!("{found:?}"));
         numbers(&reading.model).into_iter().flatten().collect()

@@ -75,7 +75,12 @@ fn unit(label: &str, power: i32) -> String {
 pub fn title(section: &Section, language: Language) -> String {
     let label = language.text(&section.label);
     let head = language.pick(format!("Section {}", section.name), format!("Сечение «{}»", section.name));
-    if label.is_empty() { head } else { format!("{head}: {label}") }
+    match label.is_empty() {
+        true => head,
+        // a key of the file is no word of a Russian text; letters of the drawing are
+        false if language == Language::Ru && crate::naming::is_word(&section.name) => format!("Сечение: {label}"),
+        false => format!("{head}: {label}"),
+    }
 }
 
 /// Symbol, value, unit, meaning.

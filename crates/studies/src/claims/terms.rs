@@ -8,7 +8,7 @@ use analysis::made;
 use analysis::studies::claims::{Draw, Fit, Places, Sum, fit};
 use mechanics::model::ClaimDecl;
 use report::formula::{Form, Printer};
-use symbolic::{Expr, Rational};
+use symbolic::{Expr, Node, Rational};
 use words::{Language, Text};
 
 /// Times at which a machine is tried lie within this many seconds: loads that depend on time take part.
@@ -82,7 +82,10 @@ fn words(machine: &mut Machine, terms: &Terms, found: &Fit, tolerance: f64) -> T
         for group in groups.iter().filter(|g| (factors[g[0]] - 1.0).abs() > tolerance) {
             let parts: Vec<Expr> = group.iter().map(|k| terms.terms[*k]).collect();
             let whole = machine.equations.graph.sum(&parts);
-            list.push(of_term(machine, whole, factors[group[0]]));
+            let told = of_term(machine, whole, factors[group[0]]);
+            // like terms that the graph joins are one term to the reader
+            let several = matches!(machine.equations.graph.node(whole), Node::Sum { .. });
+            list.push(if several { alike(&told) } else { told });
         }
     }
     if let Some((k, factor)) = found.missing {
@@ -95,6 +98,14 @@ fn words(machine: &mut Machine, terms: &Terms, found: &Fit, tolerance: f64) -> T
     }
     let joined = |pick: fn(&Text) -> &str| list.iter().map(pick).collect::<Vec<_>>().join("; ");
     Text::new(joined(|t| &t.en), joined(|t| &t.ru))
+}
+
+/// What is said of terms that are proportional to each other at all states: the states do not tell them apart.
+fn alike(told: &Text) -> Text {
+    Text::new(
+        format!("{}; which of these terms differs the motions do not tell: they are proportional to each other", told.en),
+        format!("{}; какое из этих слагаемых неверно, по движениям не различить: они пропорциональны друг другу", told.ru),
+    )
 }
 
 /// `published 20.6 cos φ, here 18.2466 cos φ: 0.885757 of it`.

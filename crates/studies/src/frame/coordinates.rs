@@ -62,6 +62,9 @@ pub(super) fn coarse(structure: &file::Structure, bound: &Bound) -> Option<Text>
 }
 
 /// The coordinates of the frame, divided as its wanted accuracy needs.
+///
+/// # Errors
+/// A mechanism, loose nodes, or an accuracy that is not reached.
 pub fn coordinates(model: &Model, structure: &file::Structure, bound: &mut Bound) -> Result<Option<Substructure>, analysis::Fault> {
     stands_undivided(&bound.frame, bound.exact.as_ref())?;
     let assembly = Assembly::of(&bound.frame);

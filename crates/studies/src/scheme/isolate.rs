@@ -252,7 +252,12 @@ impl Cut<'_, '_> {
     fn axes(&mut self) {
         let places = self.sketch.scheme.items.iter().flat_map(|i| [i.place.at, i.place.to].into_iter().filter(|p| *p != [0.0; 2]));
         // round bodies reach beyond their centres
-        let round = self.sketch.scheme.items.iter().filter(|i| matches!(i.symbol.name, "disc" | "ball"));
+        let round = self
+            .sketch
+            .scheme
+            .items
+            .iter()
+            .filter(|i| matches!(i.symbol.name, "disc" | "ring" | "rotor" | "drum" | "gear" | "pulley" | "ball"));
         let rims = round.map(|i| [i.place.at[0] - i.place.size, i.place.at[1] + i.place.size]);
         let (left, low) = places.chain(rims).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, b), p| (l.min(p[0]), b.max(p[1])));
         if !left.is_finite() {

@@ -126,8 +126,8 @@ const STATIC: f64 = 0.5;
 fn beyond(machine: &Machine, top: f64) -> Option<Audit> {
     let kept = machine.model.structure.as_ref()?.kept?;
     let name = Text::new(
-        "highest frequency relative to that of the kept shapes of the frame ([structure] modes)",
-        "наибольшая частота относительно частоты учтённых форм рамы ([structure] modes)",
+        "highest frequency relative to that of the kept shapes of the frame",
+        "наибольшая частота относительно частоты учтённых форм рамы",
     );
     Some(Audit::at_most("frame_modes", name, top / kept, STATIC))
 }

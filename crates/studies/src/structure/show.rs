@@ -53,7 +53,12 @@ fn reductions(found: &ModesFound, language: Language) -> Vec<Block> {
     ]);
     for r in &found.rayleigh {
         let label = language.text(&r.label);
-        let name = if label.is_empty() { r.name.clone() } else { format!("{}: {label}", r.name) };
+        let foreign = language == Language::Ru && crate::naming::is_word(&r.name);
+        let name = match label.is_empty() {
+            true => r.name.clone(),
+            false if foreign => label.to_owned(),
+            false => format!("{}: {label}", r.name),
+        };
         let mut row = vec![Cell::words(name)];
         row.extend([r.mass, r.share, r.stiffness, r.omega].map(|v| Cell::Number(number(v, language))));
         table.row(row);

@@ -218,6 +218,7 @@ mod tests {
         for value in [-1.5, 2.5] {
             let find = |s: SymbolId| if s == v { value } else { 1.0 + 0.25 * s.index() as f64 };
             let [before, after] = [whole, opened].map(|e| graph.evaluate(&[e], &find)[0]);
+            // three terms near 1
             assert!((before - after).abs() < 1e-15, "{before} {after}");
         }
         // a bracket without a switch stays as it is

@@ -2,6 +2,7 @@
 
 use super::work::Work;
 use crate::connections::Teller;
+use crate::naming::is_word;
 use mechanics::model::{Connection, Element, Frame, FrameId, PointRef};
 
 impl Teller for Work<'_> {
@@ -54,7 +55,7 @@ impl Work<'_> {
     pub(super) fn connection_name(&self, at: usize) -> String {
         let Connection { name, label, .. } = &self.model.connections[at];
         let label = self.text(label);
-        let word = name.chars().count() > 2 && name.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+        let word = is_word(name);
         match () {
             () if !label.is_empty() => label.to_owned(),
             () if word => (at + 1).to_string(),
@@ -99,6 +100,7 @@ impl Work<'_> {
         match self.number(frame) {
             Some(n) if !label.is_empty() => format!("{body} {n} ({})", crate::numbering::bare(label)),
             Some(n) => format!("{body} {n}"),
+            None if self.language == words::Language::Ru && is_word(name) => other.to_owned(),
             None => format!("{other} «{name}»"),
         }
     }
@@ -109,6 +111,9 @@ impl Work<'_> {
         match point {
             PointRef::Point(p) => {
                 let name = &self.model.points[p.index()].name;
+                if self.language == words::Language::Ru && is_word(name) {
+                    return format!("точка {of}");
+                }
                 self.language.pick(format!("point {name} {of}"), format!("точка {name} {of}"))
             }
             PointRef::Origin(_) => self.language.pick(format!("the origin {of}"), format!("начало осей {of}")),

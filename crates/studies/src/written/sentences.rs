@@ -3,7 +3,7 @@
 use super::work::Work;
 use crate::results::{Extent, Results, View};
 use report::document::{Inline, Rich};
-use report::{Block, Cell};
+use report::{Block, Cell, Table};
 use words::Language;
 
 /// Names of the file with what is printed for them.
@@ -97,17 +97,20 @@ impl Symbols {
         blocks.into_iter().filter(|block| !is_advice(block, self.language)).map(|block| self.block(block)).collect()
     }
 
+    /// A table with symbols among the words of its cells.
+    pub fn table(&self, mut table: Table) -> Table {
+        for cell in table.rows.iter_mut().flatten() {
+            if let Cell::Rich(rich) = cell {
+                *rich = self.called(rich).unwrap_or_else(|| self.rich(std::mem::take(rich)));
+            }
+        }
+        table
+    }
+
     fn block(&self, block: Block) -> Block {
         match block {
             Block::Paragraph(rich) => Block::Paragraph(sentence(self.rich(rich), self.language)),
-            Block::Table(mut table) => {
-                for cell in table.rows.iter_mut().flatten() {
-                    if let Cell::Rich(rich) = cell {
-                        *rich = self.called(rich).unwrap_or_else(|| self.rich(std::mem::take(rich)));
-                    }
-                }
-                Block::Table(table)
-            }
+            Block::Table(table) => Block::Table(self.table(table)),
             Block::Figure(mut figure) => {
                 for happening in &mut figure.strip {
                     // an event with a label needs no words about its formula
@@ -133,6 +136,10 @@ fn is_advice(block: &Block, language: Language) -> bool {
 
 /// Words without what is said of the command line, which nobody has before them who reads the calculation.
 fn without_commands(text: &str) -> String {
+    // what the user of the program is to raise
+    if let Some(at) = ["; take more `", "; увеличьте `"].iter().find_map(|told| text.find(told)) {
+        return text[..at].to_owned();
+    }
     let Some(at) = text.find("--set") else { return text.to_owned() };
     match (text[..at].rfind(" ("), text[at..].find(')')) {
         (Some(open), Some(close)) => format!("{}{}", &text[..open], &text[at + close + 1..]),

@@ -166,6 +166,8 @@ fn data(work: &Work, pen: &mut Pen) {
         typeset(work, &mut table);
         let computed = apart(work, &mut table);
         if !table.rows.is_empty() {
+            // "s4 at the start" of what the file leaves to the program
+            let table = super::sentences::Symbols::of(work).table(table);
             pen.table(table, capital(work.language.pick("given quantities", "исходные данные")));
         }
         if let Some(computed) = computed {
@@ -174,14 +176,19 @@ fn data(work: &Work, pen: &mut Pen) {
         }
     }
     let derived: Vec<_> = work.model.parameters.iter().filter(|p| p.class == Class::Constant && p.number.is_some()).collect();
+    let symbols = super::sentences::Symbols::of(work);
     let formulas: Vec<Block> = derived
         .iter()
         .filter_map(|p| {
             let ParameterValue::Formula(formula) = p.value else { return None };
             let name = work.printer.symbol_layout(&work.model.graph, p.symbol);
             let formula = quantity::line(work, (name, &p.unit), (&work.model.graph, formula));
-            Some(Block::Equation { formula, numbered: false })
+            let label = work.text(&p.label);
+            // what it is stands before its formula, as before every other
+            let told = if label.is_empty() { Vec::new() } else { symbols.finished(vec![Block::paragraph(format!("{label}:"))]) };
+            Some(told.into_iter().chain([Block::Equation { formula, numbered: false }]))
         })
+        .flatten()
         .collect();
     if !formulas.is_empty() {
         let sentence: Vec<Inline> =

@@ -276,6 +276,15 @@
     }
   }
 
+  // what the curves are stands once: in the caption of a lone curve, at the first of figures side by side with the same curves
+  const names = (figure) => figure.series.map((s) => s.name + "\u0000" + s.label).join("\u0001");
+  function isTold(holder, figure) {
+    const caption = holder.querySelector("figcaption").textContent.toLowerCase();
+    if (figure.series.length === 1 && figure.series[0].label && caption.includes(figure.series[0].label.toLowerCase())) return true;
+    const group = holder.closest(".figures"), all = group ? [...group.querySelectorAll("figure[data-figure]")] : [];
+    return all.slice(0, all.indexOf(holder)).some((other) => names(page.figures[other.dataset.figure]) === names(figure));
+  }
+
   // ---- one figure
   function bring(holder) {
     const figure = page.figures[holder.dataset.figure];
@@ -284,9 +293,10 @@
     const where = element("li", { class: "where" }), outputs = [], buttons = [];
     const legend = element("ul", { class: "legend" });
     const stage = element("div"), tip = element("span", { class: "happening", hidden: "" });
+    const brief = isTold(holder, figure);
     figure.series.forEach((s, i) => {
       const value = element("output");
-      const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(s), element("span", { html: s.html }), element("span", {}, s.label ? (s.name ? "– " : "") + s.label : ""), value);
+      const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(s), element("span", { html: s.html }), element("span", {}, s.label && !(brief && s.name) ? (s.name ? "– " : "") + s.label : ""), value);
       button.onclick = () => {
         const on = button.getAttribute("aria-pressed") === "false";
         button.setAttribute("aria-pressed", on);
