@@ -76,7 +76,7 @@ impl<'a> Writer<'a> {
             blocks.extend(self.system());
         }
         for (i, forcing) in self.listed.forcing.iter().enumerate() {
-            blocks.extend(self.forced(forcing, self.index(i)));
+            blocks.extend(self.forced(forcing, &self.index(i)));
         }
         blocks.extend(self.statics());
         blocks.extend(self.particular());
@@ -248,7 +248,7 @@ impl<'a> Writer<'a> {
     }
 
     /// h, D and ε of a harmonic.
-    fn forced(&self, f: &Forcing, index: String) -> Vec<Block> {
+    fn forced(&self, f: &Forcing, index: &str) -> Vec<Block> {
         let (set, o, a) = (self.set, &self.listed.mode.oscillator, self.listed.inertia);
         let letter = |name: &str| self.letter(&format!("{name}{index}"));
         let (h, p, k) = (f.harmonic.h, f.harmonic.p, o.k2.max(0.0).sqrt());
@@ -302,15 +302,21 @@ impl<'a> Writer<'a> {
             fraction(set.size(h), root(plus(vec![square(fence(numbers.clone())), damping_number]))),
             set.result(amplitude, &self.units[0]),
         ]));
-        let tangent = set.wave(set.language.pick("tan", "tg"), letter("epsilon"));
-        blocks.push(self.line(vec![
-            tangent,
+        blocks.extend(self.lag(f, index, (difference, numbers)));
+        blocks
+    }
+
+    /// tan ε = 2 n p/(k² − p²), and ε.
+    fn lag(&self, f: &Forcing, index: &str, (difference, numbers): (Layout, Layout)) -> [Block; 2] {
+        let (set, o, p) = (self.set, &self.listed.mode.oscillator, f.harmonic.p);
+        let letter = |name: &str| self.letter(&format!("{name}{index}"));
+        let tangent = self.line(vec![
+            set.wave(set.language.pick("tan", "tg"), letter("epsilon")),
             fraction(product(vec![whole(2), self.letter("n"), letter("p")]), difference),
             fraction(product(vec![whole(2), set.factor(o.n), set.size(p)]), numbers),
             set.result(2.0 * o.n * p / (o.k2 - p * p), ""),
-        ]));
-        blocks.push(self.line(vec![letter("epsilon"), set.result(f.harmonic.lag, "rad")]));
-        blocks
+        ]);
+        [tangent, self.line(vec![letter("epsilon"), set.result(f.harmonic.lag, "rad")])]
     }
 
     fn statics(&self) -> Vec<Block> {

@@ -21,7 +21,8 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
     let quantity = |observable: &Observable, output: &symbolic::equations::Output| {
         let shown = machine.system.outputs().iter().find(|q| q.name == output.name).map_or(output.name.as_str(), |q| q.symbol.as_str());
         Quantity {
-            symbol: format!("{shown}_{}", observable.word()),
+            // the index of a mean is that of ω_m in both languages
+            symbol: format!("{shown}_{}", if observable.word() == "mean" { "m" } else { observable.word() }),
             label: output.label.clone(),
             display: output.display.clone(),
             ..Quantity::new(&observable.to_string(), &output.unit)

@@ -99,17 +99,8 @@ impl Conclusion {
                 )
             }
             Conclusion::Regime { period, stable } => {
-                let period = number(*period);
-                match stable {
-                    true => language.pick(
-                        format!("The periodic regime with the period {period} s is stable."),
-                        format!("Периодический режим с периодом {period} с устойчив."),
-                    ),
-                    false => language.pick(
-                        format!("The periodic regime with the period {period} s is unstable."),
-                        format!("Периодический режим с периодом {period} с неустойчив."),
-                    ),
-                }
+                let [holds, fails] = regimes(&number(*period), language);
+                if *stable { holds } else { fails }
             }
             Conclusion::Irregular { delta } => {
                 let delta = number(*delta);
@@ -153,6 +144,20 @@ fn forced(label: &str, (omega, gain): (f64, Option<f64>), amplitude: &str, langu
         format!("The amplitude of “{label}” at ω\u{a0}=\u{a0}{omega}\u{a0}rad/s is {amplitude}{gain}."),
         format!("Амплитуда вынужденных колебаний величины «{label}» при ω\u{a0}=\u{a0}{omega}\u{a0}рад/с равна {amplitude}{gain}."),
     )
+}
+
+/// A periodic regime that is stable, and one that is not.
+fn regimes(period: &str, language: Language) -> [String; 2] {
+    [
+        language.pick(
+            format!("The periodic regime with the period {period} s is stable."),
+            format!("Периодический режим с периодом {period} с устойчив."),
+        ),
+        language.pick(
+            format!("The periodic regime with the period {period} s is unstable."),
+            format!("Периодический режим с периодом {period} с неустойчив."),
+        ),
+    ]
 }
 
 /// What a cycle needs.
