@@ -126,7 +126,7 @@ fn captured(count: usize) -> (f64, f64, String) {
         (total.steps, total.expansions, total.orders) =
             (total.steps + work.steps, total.expansions + work.expansions, total.orders + work.orders);
     }
-    let Some(sweep) = machine.model.studies.iter().find(|asked| asked.kind == "sweep").cloned() else { panic!("no sweep") };
+    let Some(sweep) = machine.model.studies.iter().rfind(|asked| asked.kind == "sweep").cloned() else { panic!("no sweep") };
     let clock = Instant::now();
     std::hint::black_box(pipeline::study(&mut machine, &sweep, &mut Watch::default()));
     let each = |n: u64| n as f64 / count as f64;

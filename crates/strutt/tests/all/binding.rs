@@ -130,7 +130,7 @@ fn a_sweep_reads_its_file_once() {
     let text = strutt::gallery::find("pendulum-on-shaft").expect("an example").text.replace("until = \"30 s\"", "until = \"0.05 s\"");
     let text = text + "[[study]]\nkind = \"sweep\"\nover = [\"m = linspace(2 g, 60 g, 20)\"]\nobserve = [\"max(phi)\"]\n";
     let mut machine = pipeline::build(&Source::new("sweep.toml", &text), &[], &mut Watch::default()).expect("a machine");
-    let sweep = machine.model.studies.iter().find(|asked| asked.kind == "sweep").cloned().expect("a sweep");
+    let sweep = machine.model.studies.iter().rfind(|asked| asked.kind == "sweep").cloned().expect("a sweep");
     let results = pipeline::study(&mut machine, &sweep, &mut Watch::default()).expect("a study");
     assert_eq!(results.data.columns[1].values.len(), 20);
     assert_eq!(results.own["read_anew"], 1);

@@ -68,7 +68,7 @@ pub(super) fn of_motion(machine: &mut Machine, study: &periodic::Periodic, care:
     }
     let regime = outcome.regime;
     if regime.multipliers.is_empty() {
-        return Err(no_multipliers(regime.dataset.notes.first()));
+        return Err(no_multipliers(regime.dataset.notes.iter().find(|note| note.en.starts_with("no multipliers"))));
     }
     let clocks = clocks(machine, &regime.coefficients);
     // one that nothing feels is a translation, and has no multiplier already

@@ -109,6 +109,8 @@ enum Saltation {
 const SINGULAR: f64 = 1e-12;
 /// A guard is on its surface when it is below this share of its range.
 const CAUSE: f64 = 1e-7;
+/// Scales of a state that it passes in a period at most: what is carried along with the frame of the motion stands still in it, and has no scale of its own.
+const QUICKEST: f64 = 1e4;
 /// Surfaces whose normals differ by more than this are two.
 const PARALLEL: f64 = 1e-7;
 
@@ -129,7 +131,8 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, (scales, period): 
     let before = rates(system, jump.t, &jump.before, modes)?;
     let values: Vec<f64> = surfaces.iter().map(|s| system.guard(*s).first().copied().unwrap_or(0.0)).collect();
     let after = rates(system, jump.t, &jump.then, &jump.modes[1])?;
-    let fastest = before.iter().zip(scales).map(|(f, s)| (f / s).abs()).fold(0.0, f64::max);
+    let quick = |(f, s): (&f64, &f64)| (f / s).abs().min(QUICKEST / period);
+    let fastest = before.iter().zip(scales).map(quick).fold(0.0, f64::max);
     // instant of the switch by the state before it: dt = -(grad g . dx)/(dg/dt)
     let mut later: Option<Vec<f64>> = None;
     for (surface, value) in surfaces.into_iter().zip(values) {
