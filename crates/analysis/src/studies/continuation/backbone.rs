@@ -27,6 +27,8 @@ use words::{Message, Text};
 const LOSSLESS: f64 = 1e-9;
 /// λ, in scales, that may be what points miss their branch by.
 const KEPT: f64 = 1e-8;
+/// Step along the gradient of the energy, in scales, for its sign: far above the rounding of the energy of small oscillations.
+const UPHILL: f64 = 1e-4;
 /// Ends of the range of frequencies without a wish, as shares of that of small oscillations.
 const AROUND: [f64; 2] = [0.2, 5.0];
 
@@ -77,7 +79,7 @@ pub fn backbone(
     let shooting = Shooting::beside(alone.0, x, (scales, TAU / small), &periodic)?;
     let modes = alone.0.modes_by_value(0.0, x).unwrap_or_default();
     let least = alone.0.energies(0.0, x, &modes).map_or(f64::NAN, |[kinetic, potential]| kinetic + potential);
-    let mut free = Free { machine: alone.0, shooting, range: range[1] - range[0], least, border: None, work: [0; 2] };
+    let mut free = Free { machine: alone.0, shooting, range: range[1] - range[0], least, work: [0; 2] };
     let options = Options { from: range[0], to: range[1], start: small, second: None, ..*options };
     let origin = origin(x, scales, (small, free.range));
     let direction: Vec<f64> = shape.iter().copied().chain([0.0, 0.0]).collect();
@@ -144,8 +146,6 @@ struct Free<'m, 'o> {
     range: f64,
     /// Energy at rest.
     least: f64,
-    /// b at the last point, of all states in scales.
-    border: Option<Vec<f64>>,
     work: [usize; 2],
 }
 
@@ -160,18 +160,26 @@ impl<'o> Free<'_, 'o> {
         self.shooting.turn(self.machine, &y[..n], period)
     }
 
-    /// b over the free states, beside the one before.
-    fn border(&mut self, square: &[f64], states: &[usize]) -> Result<Vec<f64>, Fault> {
+    /// b over the free states. It is the gradient of the energy but for its length: its sign is that of the energy along it, for the one before may belong to other
+    /// free states, and with its sign that of the determinant which tells branch points.
+    fn border(&mut self, square: &[f64], y: &[f64], (states, basis): (&[usize], &[Vec<f64>])) -> Result<Vec<f64>, Fault> {
         let m = states.len() + 1;
         let transposed: Vec<f64> = (0..m * m).map(|e| square[(e % m) * m + e / m]).collect();
         let mut b = switching::null(&transposed, m).ok_or_else(switching::no_direction)?;
         b.truncate(states.len());
-        let inner: f64 = self.border.iter().flat_map(|old| states.iter().zip(&b).map(|(i, b)| old[*i] * b)).sum();
-        let sign = if inner < 0.0 { -1.0 } else { 1.0 };
-        b.iter_mut().for_each(|b| *b *= sign);
-        let mut whole = vec![0.0; self.shooting.scales().len()];
-        states.iter().zip(&b).for_each(|(i, b)| whole[*i] = *b);
-        self.border = Some(whole);
+        let (n, scales) = (self.shooting.scales().len(), self.shooting.scales().to_vec());
+        let mut along = vec![0.0; n];
+        for (b, column) in b.iter().zip(basis) {
+            along.iter_mut().zip(column).zip(&scales).for_each(|((a, c), s)| *a += b * c * s);
+        }
+        let mut energy = |by: f64| {
+            let x: Vec<f64> = y.iter().zip(&along).map(|(x, a)| x + by * a).collect();
+            let modes = self.machine.modes_by_value(0.0, &x).unwrap_or_default();
+            self.machine.energies(0.0, &x, &modes).map_or(f64::NAN, |[kinetic, potential]| kinetic + potential)
+        };
+        if energy(UPHILL) < energy(-UPHILL) {
+            b.iter_mut().for_each(|b| *b = -*b);
+        }
         Ok(b)
     }
 }
@@ -215,7 +223,7 @@ impl Zeros for Free<'_, '_> {
                 _ => 0.0,
             })
             .collect();
-        let border = self.border(&square, &varied.states)?;
+        let border = self.border(&square, &y[..n], (&varied.states, &basis))?;
         let mut jacobian = vec![0.0; m * columns];
         for i in 0..k {
             (0..k).for_each(|j| jacobian[i * columns + j] = entry(i, j));
