@@ -22,10 +22,14 @@ pub(super) struct Formulas {
     time: SymbolId,
     /// Residuals of the rest and of the angle, M_φφ, then the derivatives of the former.
     roots: Vec<Expr>,
-    /// All nodes below them, operands first.
-    order: Vec<Expr>,
+    /// Nodes below the residuals, and those below all, that change with the turn, operands first.
+    order: [Vec<Expr>; 2],
+    /// Values of the nodes in which numbers alone occur.
+    constants: Vec<f64>,
     /// Numbers of the parameters.
     numbers: Vec<f64>,
+    /// Symbols of the equations of the rest.
+    of_rest: Vec<SymbolId>,
     /// The instant at which formulas of time stand, s.
     instant: f64,
     /// q'' of the angle is 0 here, auxiliary states too: they must not matter.
@@ -47,33 +51,28 @@ impl Formulas {
         }
         let mut graph = equations.graph.clone();
         let n = equations.coordinates.len();
-        let order: Vec<usize> = (0..n).filter(|i| *i != own).chain([own]).collect();
-        let residual = |i: usize, graph: &mut Graph| {
-            let mut terms = Vec::with_capacity(n + 1);
-            for j in 0..n {
-                let (mass, acceleration) = (equations.mass.get(i, j), graph.symbol(equations.coordinates[j].symbols[2]));
-                terms.push(graph.mul(mass, acceleration));
-            }
-            let force = graph.neg(equations.force[i]);
-            terms.push(force);
-            let sum = graph.sum(&terms);
-            equations.inlined(graph, sum)
-        };
-        let mut roots: Vec<Expr> = order.iter().map(|i| residual(*i, &mut graph)).collect();
-        let rest: Vec<[SymbolId; 3]> = order[..n - 1].iter().map(|i| equations.coordinates[*i].symbols).collect();
+        let rest: Vec<[SymbolId; 3]> = (0..n).filter(|i| *i != own).map(|i| equations.coordinates[i].symbols).collect();
         let symbols = equations.coordinates[own].symbols;
-        let inertia = graph.derivative(roots[n - 1], symbols[2]);
-        roots.push(inertia);
-        for (i, which) in (0..n - 1).flat_map(|i| (0..3).map(move |which| (i, which))) {
-            for other in &rest {
-                let slope = graph.derivative(roots[i], other[which]);
-                roots.push(slope);
-            }
-        }
-        let order = graph.reachable(&roots);
-        let auxiliaries = equations.auxiliaries.iter().map(|a| a.symbol).collect();
-        let mut formulas =
-            Formulas { graph, rest, angle: symbols, time: equations.time, roots, order, numbers: Vec::new(), instant, auxiliaries };
+        let roots = roots(equations, own, &mut graph);
+        // of the angle's own equation and its inertia the answers of the rest do not depend
+        let answered: Vec<Expr> = roots.iter().enumerate().filter(|(k, _)| *k != n - 1 && *k != n).map(|(_, e)| *e).collect();
+        let of_rest = graph.symbols_in(&answered);
+        let auxiliaries: Vec<SymbolId> = equations.auxiliaries.iter().map(|a| a.symbol).collect();
+        let moving: Vec<SymbolId> = rest.iter().chain([&symbols]).flatten().chain(&auxiliaries).copied().collect();
+        let order = [&roots[..n], &roots[..]].map(|roots| changing(&graph, roots, &moving));
+        let mut formulas = Formulas {
+            graph,
+            rest,
+            angle: symbols,
+            time: equations.time,
+            roots,
+            order,
+            constants: Vec::new(),
+            numbers: Vec::new(),
+            of_rest,
+            instant,
+            auxiliaries,
+        };
         formulas.put(equations);
         if formulas.depends_on_clocks() {
             return Err(refused((
@@ -93,7 +92,8 @@ impl Formulas {
     /// Whether the equations are the same a turn further, where angles are rounded.
     fn repeats(&self) -> bool {
         let still = vec![0.0; self.rest.len()];
-        let at = |angle: f64| self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, 0.0);
+        let at =
+            |angle: f64| self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, 0.0, &self.roots);
         (0..LOOKED).all(|k| {
             let (here, there) = (at(k as f64), at(k as f64 + std::f64::consts::TAU));
             let largest = here.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
@@ -105,6 +105,18 @@ impl Formulas {
     pub(super) fn put(&mut self, equations: &Equations) {
         self.numbers = vec![0.0; self.graph.symbol_count()];
         equations.parameters.iter().for_each(|p| self.numbers[p.symbol.index()] = p.value);
+        self.numbers[self.time.index()] = self.instant;
+        // what moves stands at 0 here and is put in at each place
+        let mut known = vec![0.0; self.graph.len()];
+        for e in self.graph.reachable(&self.roots) {
+            known[e.index()] = self.graph.evaluate_node(e, &|s| self.numbers[s.index()], &|c| known[c.index()]);
+        }
+        self.constants = known;
+    }
+
+    /// The numbers in the equations of the rest: where they are the same, its answers are.
+    pub(super) fn basis(&self) -> Vec<f64> {
+        self.of_rest.iter().map(|symbol| self.numbers[symbol.index()]).collect()
     }
 
     /// Whether a residual changes with an auxiliary state.
@@ -112,7 +124,7 @@ impl Formulas {
         let still = vec![0.0; self.rest.len()];
         let at = |k: usize, clock: f64| {
             let angle = std::f64::consts::TAU * k as f64 / LOOKED as f64;
-            self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, clock)
+            self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, clock, &self.roots)
         };
         (0..LOOKED).any(|k| {
             let before = at(k, 0.0);
@@ -120,10 +132,10 @@ impl Formulas {
         })
     }
 
-    fn values(&self, place: &Place<'_>, clock: f64) -> Vec<f64> {
+    /// The first of the roots, or all.
+    fn values(&self, place: &Place<'_>, clock: f64, roots: &[Expr]) -> Vec<f64> {
         let mut numbers = self.numbers.clone();
         let mut set = |symbol: SymbolId, value: f64| numbers[symbol.index()] = value;
-        set(self.time, self.instant);
         set(self.angle[0], place.angle);
         set(self.angle[1], place.speed);
         set(self.angle[2], 0.0);
@@ -133,12 +145,12 @@ impl Formulas {
             set(symbols[1], place.rates[i]);
             set(symbols[2], place.accelerations[i]);
         }
-        let mut known = vec![0.0; self.graph.len()];
+        let mut known = self.constants.clone();
         let value = |s: SymbolId| numbers[s.index()];
-        for e in &self.order {
+        for e in &self.order[usize::from(roots.len() > self.rest.len() + 1)] {
             known[e.index()] = self.graph.evaluate_node(*e, &value, &|c| known[c.index()]);
         }
-        self.roots.iter().map(|e| known[e.index()]).collect()
+        roots.iter().map(|e| known[e.index()]).collect()
     }
 }
 
@@ -147,10 +159,55 @@ impl Turning for Formulas {
         self.rest.len()
     }
     fn at(&self, place: &Place<'_>) -> Instant {
-        let all = self.values(place, 0.0);
+        let all = self.values(place, 0.0, &self.roots);
         let n = self.rest.len() + 1;
         Instant { residuals: all[..n].to_vec(), inertia: all[n], slopes: all[n + 1..].to_vec() }
     }
+    fn residuals(&self, place: &Place<'_>) -> Vec<f64> {
+        self.values(place, 0.0, &self.roots[..=self.rest.len()])
+    }
+}
+
+/// Residuals of the rest and of the angle, M_φφ, then the derivatives of the former by q, q', q''.
+fn roots(equations: &Equations, own: usize, graph: &mut Graph) -> Vec<Expr> {
+    let n = equations.coordinates.len();
+    let order: Vec<usize> = (0..n).filter(|i| *i != own).chain([own]).collect();
+    let residual = |i: usize, graph: &mut Graph| {
+        let mut terms = Vec::with_capacity(n + 1);
+        for j in 0..n {
+            let (mass, acceleration) = (equations.mass.get(i, j), graph.symbol(equations.coordinates[j].symbols[2]));
+            terms.push(graph.mul(mass, acceleration));
+        }
+        let force = graph.neg(equations.force[i]);
+        terms.push(force);
+        let sum = graph.sum(&terms);
+        equations.inlined(graph, sum)
+    };
+    let mut roots: Vec<Expr> = order.iter().map(|i| residual(*i, graph)).collect();
+    let rest: Vec<[SymbolId; 3]> = order[..n - 1].iter().map(|i| equations.coordinates[*i].symbols).collect();
+    let symbols = equations.coordinates[own].symbols;
+    let inertia = graph.derivative(roots[n - 1], symbols[2]);
+    roots.push(inertia);
+    for (i, which) in (0..n - 1).flat_map(|i| (0..3).map(move |which| (i, which))) {
+        for other in &rest {
+            let slope = graph.derivative(roots[i], other[which]);
+            roots.push(slope);
+        }
+    }
+    roots
+}
+
+/// The nodes below these that change with the turn, operands first.
+fn changing(graph: &Graph, roots: &[Expr], moving: &[SymbolId]) -> Vec<Expr> {
+    let mut moves = vec![false; graph.len()];
+    let mut below = graph.reachable(roots);
+    for e in &below {
+        let mut any = graph.as_symbol(*e).is_some_and(|symbol| moving.contains(&symbol));
+        graph.for_each_child(*e, |child| any |= moves[child.index()]);
+        moves[e.index()] = any;
+    }
+    below.retain(|e| moves[e.index()]);
+    below
 }
 
 /// S161.

@@ -7,15 +7,13 @@ use crate::provenance;
 use crate::results::{Fact, Results};
 use crate::watch::Watch;
 use analysis::dataset::{Column, Missing};
-use analysis::studies::average::{Steady, Turn, steady, turns};
+use analysis::studies::average::{Branch, Course, Steady, Turn, steady, turns};
 use analysis::{Dataset, Quantity};
 use mechanics::asked::{Asked, Named};
 use mechanics::model::Plot;
 use serde_json::{Value, json};
 use words::{Notice, Text};
 
-/// Relative distance of two speeds that are one: both are closed in to rounding.
-const ONE: f64 = 1e-9;
 /// Speeds without a wish.
 const POINTS: usize = 201;
 
@@ -38,15 +36,10 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
     if found.iter().all(Option::is_none) {
         return Err(nothing_repeats());
     }
-    let mut list = steady(&formulas, &found);
-    let (down, unlike) = downwards(&formulas, &speeds, &found);
-    if !unlike.is_empty() {
-        let known = |s: &Steady| list.iter().any(|l| (l.turn.speed - s.turn.speed).abs() <= ONE * s.turn.speed.abs());
-        let more: Vec<Steady> = steady(&formulas, &down).into_iter().filter(|s| !known(s)).collect();
-        list.extend(more);
-        list.sort_by(|a, b| a.turn.speed.total_cmp(&b.turn.speed));
-    }
-    results.words.extend(several(&unlike));
+    let course = steady(&formulas, &speeds, &found);
+    let list = &course.steady;
+    results.words.extend(several(&course));
+    results.own.insert("answers".into(), answers(&course));
     results.data = provenance::stamp(table(&speeds, &found), &machine.equations, &machine.model_hash);
     results.plots = vec![Plot { title: Text::default(), x: None, y: vec!["own".into(), "vibration".into()] }];
     for (k, s) in list.iter().enumerate() {
@@ -80,29 +73,33 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
     Ok(())
 }
 
-/// The turns when the speeds are gone through from the fastest down, and the speeds at which the rest answers otherwise then.
-fn downwards(formulas: &Formulas, speeds: &[f64], found: &[Option<Turn>]) -> (Vec<Option<Turn>>, Vec<f64>) {
-    let reversed: Vec<f64> = speeds.iter().rev().copied().collect();
-    let mut down = turns(formulas, &reversed);
-    down.reverse();
-    let both = found.iter().zip(&down).filter_map(|(up, down)| up.as_ref().zip(down.as_ref()));
-    let unlike = both.filter(|(up, down)| up.differs(down)).map(|(up, _)| up.speed).collect();
-    (down, unlike)
+/// Branches of answers in JSON.
+fn answers(course: &Course) -> Value {
+    let of = |branch: &Branch| {
+        let rows = |turn: &Turn| json!({"speed": turn.speed, "own": turn.own, "vibration": turn.vibration, "ripple": turn.ripple});
+        json!({"folds": branch.folds(), "broken": branch.broken, "points": branch.turns().map(rows).collect::<Vec<Value>>()})
+    };
+    course.branches.iter().map(of).collect()
 }
 
-/// Speeds at which the rest has several answers.
-fn several(speeds: &[f64]) -> Option<Text> {
-    let (first, last) = speeds.first().zip(speeds.last())?;
-    let [a, b] = [first, last].map(|speed| words::digits::seven_digits(*speed));
-    let count = speeds.len();
+/// What is known of the answers of a rest that is not linear.
+pub(super) fn several(course: &Course) -> Option<Text> {
+    let (starts, count) = (course.starts?, course.branches.len());
+    let folds: usize = course.branches.iter().map(Branch::folds).sum();
+    let broken: usize = course.branches.iter().map(|branch| branch.broken).sum();
+    let (en, ru) = match broken {
+        0 => (String::new(), String::new()),
+        _ => (
+            format!(" Branches that end within the range (an undamped resonance, or an answer that is not smooth): {broken}."),
+            format!(" Ветвей, обрывающихся внутри диапазона (резонанс без сопротивления или негладкое движение): {broken}."),
+        ),
+    };
     Some(Text::new(
         format!(
-            "At {count} of the speeds looked at, from {} to {} rad/s, the rest has more than one motion that repeats after a turn. Those that slower and faster speeds lead to are taken; others, and balances next to the speeds at which they end, are not seen.",
-            a.en, b.en
+            "The rest of the machine is not linear and may answer one speed by several motions. Branches of such motions followed over the speed: {count}, with {folds} folds; the balances on all of them are given. Others were sought from {starts} starts; that there are none is not guaranteed.{en}"
         ),
         format!(
-            "При некоторых из рассмотренных скоростей ({count}, от {} до {} рад/с) остальная машина имеет не одно движение, повторяющееся через оборот. Учтены те, к которым ведут меньшие и большие скорости; остальные, а также балансы рядом со скоростями, где такие движения исчезают, не видны.",
-            a.ru, b.ru
+            "Остальная машина нелинейна, и одной скорости могут отвечать несколько её движений. Прослежено по скорости ветвей таких движений: {count}, складок на них: {folds}; приведены балансы на всех ветвях. Другие ветви искались из начальных приближений (их {starts}); что других нет, не гарантируется.{ru}"
         ),
     ))
 }
@@ -149,7 +146,7 @@ fn speed(k: usize, s: &Steady) -> Fact {
 
 /// A speed of steady turning in JSON.
 pub(super) fn json_of(s: &Steady) -> Value {
-    json!({"speed": s.turn.speed, "stable": s.stable, "moment": s.turn.vibration, "ripple": s.turn.ripple})
+    json!({"speed": s.turn.speed, "stable": s.stable, "branch": s.branch + 1, "moment": s.turn.vibration, "ripple": s.turn.ripple})
 }
 
 fn table(speeds: &[f64], found: &[Option<Turn>]) -> Dataset {

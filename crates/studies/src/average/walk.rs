@@ -2,7 +2,7 @@
 
 use super::formulas::Formulas;
 use super::motions::Motions;
-use super::tell::{asked_for, balance_words, gaps, json_of, nothing_repeats};
+use super::tell::{asked_for, balance_words, gaps, json_of, nothing_repeats, several};
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
@@ -10,8 +10,9 @@ use crate::provenance;
 use crate::repeat::quantity;
 use crate::results::{Fact, Results};
 use crate::watch::Watch;
+use algebra::arrange::Arrange as _;
 use analysis::dataset::{Column, Missing};
-use analysis::studies::average::{Steady, Turn, extreme, steady, turns};
+use analysis::studies::average::{Course, Steady, Summit, Turn, carried, steady, steady_again, turns};
 use analysis::{Dataset, Quantity};
 use mechanics::asked::{Asked, Named};
 use mechanics::model::Plot;
@@ -23,11 +24,13 @@ use words::{Notice, Text};
 const POINTS: usize = 61;
 /// Motions that are laid beside.
 const MOTIONS: usize = 13;
-/// Halvings of an interval with a fold: each ends at neighbouring numbers.
-const HALVINGS: usize = 60;
+/// Halvings of the way to another value on which an extreme is lost.
+const HALVINGS: usize = 4;
+/// Values at which the height of an extreme is looked at, to where they are neighbours.
+const TRIED: usize = 60;
 
 /// What was found along the parameter.
-struct Course {
+struct Along {
     /// Speeds of steady turning at each value.
     speeds: Vec<(f64, Vec<Steady>)>,
     folds: Vec<Fold>,
@@ -51,8 +54,12 @@ struct Walk<'a> {
     angle: Named,
     instant: f64,
     speeds: Vec<f64>,
+    /// The answers of the value before: the numbers of the rest they belong to, and how many speeds have none; none where the formulas are others.
+    before: Option<(Vec<f64>, usize)>,
     /// Speeds without a turn, at all values.
     gaps: usize,
+    /// What is known of the answers, where there are most branches, and their number.
+    several: (usize, Option<Text>),
     /// Intervals in which speeds appear or vanish and no fold was closed in.
     open: Vec<[f64; 2]>,
 }
@@ -62,49 +69,104 @@ impl Walk<'_> {
     fn put(&mut self, value: f64) -> Result<(), Notice> {
         match self.machine.bind(&[(self.name, value)]).map_err(in_words)? {
             Binding::Numbers => self.formulas.put(&self.machine.equations),
-            Binding::Anew => self.formulas = Formulas::of(&self.machine, &self.angle, self.instant)?,
+            Binding::Anew => {
+                self.formulas = Formulas::of(&self.machine, &self.angle, self.instant)?;
+                self.before = None;
+            }
         }
         Ok(())
     }
 
-    fn steady(&mut self, value: f64) -> Result<Vec<Steady>, Notice> {
+    /// The balances at a value, beside those at another: where the equations of the rest are the same, so are its answers.
+    fn steady(&mut self, value: f64, old: Option<&Course>) -> Result<Course, Notice> {
         self.put(value)?;
-        let found = turns(&self.formulas, &self.speeds);
-        if found.iter().all(Option::is_none) {
-            return Err(nothing_repeats());
+        let basis = self.formulas.basis();
+        let same = self.before.take().filter(|(before, _)| *before == basis);
+        let again = same.zip(old).and_then(|((_, gaps), old)| Some((steady_again(&self.formulas, old)?, gaps)));
+        let (course, gaps) = match again {
+            Some(again) => again,
+            None => {
+                let found = turns(&self.formulas, &self.speeds);
+                if found.iter().all(Option::is_none) {
+                    return Err(nothing_repeats());
+                }
+                (steady(&self.formulas, &self.speeds, &found), found.iter().filter(|turn| turn.is_none()).count())
+            }
+        };
+        self.before = Some((basis, gaps));
+        self.gaps += gaps;
+        if course.branches.len() > self.several.0 {
+            self.several = (course.branches.len(), several(&course));
         }
-        self.gaps += found.iter().filter(|turn| turn.is_none()).count();
-        Ok(steady(&self.formulas, &found))
+        Ok(course)
     }
 
-    /// Where two speeds that are neighbours at one value meet before another, at which they are not there.
-    fn fold(&mut self, list: &[Steady], k: usize, [mut with, mut without]: [f64; 2]) -> Result<Option<Fold>, Notice> {
-        let (a, b) = (list[k].turn.speed, list[k + 1].turn.speed);
-        // the extreme moves with the value, by less than both speeds do; other speeds are farther
-        let below = k.checked_sub(1).map_or(self.speeds[0], |k| 0.5 * (list[k].turn.speed + a));
-        let above = list.get(k + 2).map_or(self.speeds[self.speeds.len() - 1], |s| 0.5 * (s.turn.speed + b));
-        let (low, high) = (below.max(a - (b - a)), above.min(b + (b - a)));
-        // between both the balance has the sign behind the first of them
-        let sign = if list[k].stable { -1.0 } else { 1.0 };
-        let mut last = None;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (with + without);
+    /// Folds between two neighbouring values: where an extreme of L passes zero. What does not add up is left open.
+    fn folds(&mut self, (a, old): (f64, &Course), (b, new): (f64, &Course)) -> Result<Vec<Fold>, Notice> {
+        let mut all = Vec::new();
+        let mut count = old.steady.len() as isize;
+        for summit in &old.summits {
+            let Some(far) = self.moved(old, summit, [a, b], HALVINGS)? else { continue };
+            let ends = match (summit.height() > 0.0, far.height() > 0.0) {
+                (true, false) => [(a, summit.clone()), (b, far)],
+                (false, true) => [(b, far), (a, summit.clone())],
+                _ => continue,
+            };
+            count += if ends[0].0 == a { -2 } else { 2 };
+            all.extend(self.fold(old, ends)?);
+        }
+        if count != new.steady.len() as isize {
+            self.open.push([a, b]);
+        }
+        all.arrange_by(|x: &Fold, y: &Fold| ((x.value - a) * (b - a)).total_cmp(&((y.value - a) * (b - a))));
+        Ok(all)
+    }
+
+    /// An extreme at another value; none where it is lost on the way.
+    fn moved(&mut self, course: &Course, summit: &Summit, [from, to]: [f64; 2], halvings: usize) -> Result<Option<Summit>, Notice> {
+        self.put(to)?;
+        let found = carried(&self.formulas, course, summit);
+        if found.is_some() || halvings == 0 {
+            return Ok(found);
+        }
+        let middle = 0.5 * (from + to);
+        match self.moved(course, summit, [from, middle], halvings - 1)? {
+            Some(half) => self.moved(course, &half, [middle, to], halvings - 1),
+            None => Ok(None),
+        }
+    }
+
+    /// Where the height of an extreme passes zero between two values: the secant, with the weight of an end that stays halved (Illinois).
+    fn fold(&mut self, course: &Course, [mut with, mut without]: [(f64, Summit); 2]) -> Result<Option<Fold>, Notice> {
+        let mut weights = [with.1.height(), without.1.height()];
+        let mut kept = None;
+        for k in 0..TRIED {
+            let (a, b) = (with.0, without.0);
             // some hundred roundings of a value
-            if middle == with || middle == without || (without - with).abs() <= 1e-13 * middle.abs() {
+            if (b - a).abs() <= 1e-13 * a.abs().max(b.abs()) {
                 break;
             }
-            self.put(middle)?;
-            let Some(top) = extreme(&self.formulas, [low, high], sign) else { return Ok(None) };
-            if sign * top.balance() > 0.0 {
-                with = middle
-            } else {
-                without = middle
+            let secant = b - weights[1] * (b - a) / (weights[1] - weights[0]);
+            let inside = secant.is_finite() && (secant - a) * (secant - b) < 0.0;
+            let middle = if inside && k % 8 != 7 { secant } else { 0.5 * (a + b) };
+            let near = if (middle - a).abs() < (middle - b).abs() { &with } else { &without };
+            let Some(summit) = self.moved(course, &near.1.clone(), [near.0, middle], HALVINGS)? else { return Ok(None) };
+            let height = summit.height();
+            let end = usize::from(height <= 0.0);
+            let stands = (if end == 1 { &without } else { &with }).0 == middle;
+            *(if end == 1 { &mut without } else { &mut with }) = (middle, summit);
+            weights[end] = height;
+            weights[1 - end] *= if kept == Some(1 - end) { 0.5 } else { 1.0 };
+            kept = Some(1 - end);
+            if height == 0.0 || stands {
+                break;
             }
-            last = Some(Fold { value: middle, turn: top });
         }
-        // an end of the interval is no fold
+        let best = if with.1.height().abs() < without.1.height().abs() { with } else { without };
         let size = |turn: &Turn| turn.own.abs().max(turn.vibration.abs());
-        Ok(last.filter(|fold| fold.turn.balance().abs() <= MET * size(&fold.turn)))
+        let fold = Fold { value: best.0, turn: best.1.turn().clone() };
+        // an end of the interval is no fold
+        Ok(Some(fold).filter(|fold| fold.turn.balance().abs() <= MET * size(&fold.turn)))
     }
 }
 
@@ -115,8 +177,20 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     machine.number(name)?;
     let formulas = Formulas::of(machine, &angle, instant)?;
     let count = speeds.len();
-    let mut walk = Walk { machine: machine.clone(), formulas, name, angle, instant, speeds, gaps: 0, open: Vec::new() };
+    let mut walk = Walk {
+        machine: machine.clone(),
+        formulas,
+        name,
+        angle,
+        instant,
+        speeds,
+        before: None,
+        gaps: 0,
+        several: (0, None),
+        open: Vec::new(),
+    };
     let (mut found, mut folds): (Vec<(f64, Vec<Steady>)>, Vec<Fold>) = (Vec::new(), Vec::new());
+    let mut last: Option<(f64, Course)> = None;
     for k in 0..count {
         if watch.is_interrupted() {
             break;
@@ -125,15 +199,12 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
             progress(k as f64 / count as f64);
         }
         let value = if k + 1 == count { to } else { from + (to - from) * k as f64 / (count - 1) as f64 };
-        let list = walk.steady(value)?;
-        if let Some((before, old)) = found.last() {
-            let fold = between(&mut walk, (*before, old), (value, &list))?;
-            if fold.is_none() && old.len() != list.len() {
-                walk.open.push([*before, value]);
-            }
-            folds.extend(fold);
+        let course = walk.steady(value, last.as_ref().map(|(_, course)| course))?;
+        if let Some((before, old)) = &last {
+            folds.extend(walk.folds((*before, old), (value, &course))?);
         }
-        found.push((value, list));
+        found.push((value, course.steady.clone()));
+        last = Some((value, course));
     }
     let motions = match asked.number("runs") {
         Some(until) => of_machine(machine, (name, &walk.angle), [from, to], (until, watch))?,
@@ -146,8 +217,8 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let mut drawn = vec!["stable", "unstable"];
     drawn.extend((!motions.is_empty()).then_some("motion"));
     results.plots = vec![Plot { title: Text::default(), x: Some(name.to_owned()), y: drawn.into_iter().map(str::to_owned).collect() }];
-    let lacking = gaps(walk.gaps).into_iter().chain(unclosed(&walk.open));
-    tell(machine, name, &Course { speeds: found, folds, motions }, results);
+    let lacking: Vec<Text> = gaps(walk.gaps).into_iter().chain(unclosed(&walk.open)).chain(walk.several.1).collect();
+    tell(machine, name, &Along { speeds: found, folds, motions }, results);
     results.words.extend(lacking);
     Ok(())
 }
@@ -170,20 +241,6 @@ fn unclosed(list: &[[f64; 2]]) -> Option<Text> {
             ),
         )
     })
-}
-
-/// Folds between two neighbouring values: where speeds are one more pair on one side.
-fn between(walk: &mut Walk<'_>, (a, old): (f64, &Vec<Steady>), (b, new): (f64, &Vec<Steady>)) -> Result<Option<Fold>, Notice> {
-    let (list, ends) = match (old.len(), new.len()) {
-        (more, less) if more == less + 2 => (old, [a, b]),
-        (less, more) if more == less + 2 => (new, [b, a]),
-        _ => return Ok(None),
-    };
-    let gap = |k: &usize| list[k + 1].turn.speed - list[*k].turn.speed;
-    match (0..list.len() - 1).min_by(|a, b| gap(a).total_cmp(&gap(b))) {
-        Some(k) => walk.fold(list, k, ends),
-        None => Ok(None),
-    }
 }
 
 /// Mean speeds of motions at equally spaced values.
@@ -239,8 +296,8 @@ fn table(machine: &Machine, name: &str, found: &[(f64, Vec<Steady>)], motions: &
     data
 }
 
-fn tell(machine: &Machine, name: &str, course: &Course, results: &mut Results) {
-    let Course { speeds: found, folds, motions } = course;
+fn tell(machine: &Machine, name: &str, along: &Along, results: &mut Results) {
+    let Along { speeds: found, folds, motions } = along;
     let quantity = quantity(machine, name);
     for (k, fold) in folds.iter().enumerate() {
         let label = Text::new("fold: two speeds meet", "поворотная точка: две скорости сливаются");
