@@ -27,6 +27,16 @@ use crate::integrate::crossings::{Change, Impact, Switch, Verdict, opposite};
 /// Most combinations that are tried one by one: all of five contacts with friction, of more those with few changes.
 const COMBINED: usize = 2000;
 
+/// Modes that guards on their surfaces may take together.
+struct Combination {
+    /// How many leave `Zero`.
+    changes: usize,
+    /// Place in the order of all.
+    code: u128,
+    guards: Vec<usize>,
+    modes: Vec<Mode>,
+}
+
 /// Share of the loads by which a limit may be exceeded where no set of modes keeps all laws to rounding: far below the limit of the audits.
 const NEARLY: f64 = 1e-11;
 
@@ -338,7 +348,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Combinations of the guards on their surfaces, the others as their values say: those with most contacts closed and sticking first.
     fn try_all_combinations(&mut self, others: &[Mode]) -> bool {
         let on: Vec<usize> = (0..self.modes.len()).filter(|&i| self.met[i] && !self.rebounds[i] && self.options(i) > 1).collect();
-        let mut all: Vec<(usize, u128, Vec<(usize, Mode)>)> = Vec::new();
+        let mut all: Vec<Combination> = Vec::new();
         for changes in 0..=on.len() {
             let mut chosen = vec![Mode::Zero; on.len()];
             self.combine(&on, (0, changes), &mut chosen, &mut all);
@@ -346,23 +356,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 break;
             }
         }
-        all.arrange_by_key(|(changes, code, _)| (*changes, *code));
-        !on.is_empty()
-            && all.iter().any(|(_, _, modes)| {
-                let (on, modes): (Vec<usize>, Vec<Mode>) = modes.iter().copied().unzip();
-                self.try_combination((&on, &modes), others)
-            })
+        all.arrange_by_key(|one| (one.changes, one.code));
+        !on.is_empty() && all.iter().any(|one| self.try_combination((&one.guards, &one.modes), others))
     }
 
-    /// Combinations in which so many of the guards from a place on leave `Zero`: the number of changes, their place in the order of all, the modes. A friction
-    /// that no closed contact presses follows its speed.
-    fn combine(
-        &self,
-        on: &[usize],
-        (from, changes): (usize, usize),
-        chosen: &mut [Mode],
-        all: &mut Vec<(usize, u128, Vec<(usize, Mode)>)>,
-    ) {
+    /// Combinations in which so many of the guards from a place on leave `Zero`. A friction that no closed contact presses follows its speed.
+    fn combine(&self, on: &[usize], (from, changes): (usize, usize), chosen: &mut [Mode], all: &mut Vec<Combination>) {
         if changes == 0 {
             let opens = |gap: &usize| on.iter().position(|i| i == gap).is_some_and(|k| chosen[k] == Mode::Positive);
             let off = |i: usize| match &self.system.guards()[i].kind {
@@ -378,8 +377,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 .zip(chosen.iter())
                 .rev()
                 .fold(0_u128, |code, (i, mode)| code.wrapping_mul(self.options(*i) as u128).wrapping_add(digit(*mode)));
-            let modes = on.iter().zip(chosen.iter()).filter(|(i, _)| !off(**i)).map(|(i, mode)| (*i, *mode)).collect();
-            all.push((chosen.iter().filter(|mode| **mode != Mode::Zero).count(), code, modes));
+            let (guards, modes) = on.iter().copied().zip(chosen.iter().copied()).filter(|(i, _)| !off(*i)).unzip();
+            let changes = chosen.iter().filter(|mode| **mode != Mode::Zero).count();
+            all.push(Combination { changes, code, guards, modes });
             return;
         }
         for k in from..on.len() {
