@@ -8,7 +8,7 @@
 //!
 //! Whoever looks for another motion of the same machine has to keep it: wheels mounted otherwise are another machine. A condition that is the derivative of nothing (a skate, a ball)
 //! keeps nothing. Which it is, the integral around triangles tells. Rolling on a circle in x, y and an angle is the derivative of something only on the circle: there triangles lie
-//! on the surface of the conditions on places, and ways, too ([`crate::connections::surface`]).
+//! on the surface of the conditions on places, and ways, too (`connections::surface`).
 
 use program::{Evaluator, Point};
 

@@ -9,7 +9,7 @@
 //!
 //! A condition whose J is no gradient (a skate, rolling in space) leads to different places along different ways: where the machine rests depends on how it
 //! came there. Rolling on a circle in x, y and an angle is a gradient only for changes that keep to the circle: of such a condition the mixed derivatives agree on all pairs of
-//! directions in which the conditions on places let the machine move, and its ways lie on their surface ([`crate::connections::surface`]).
+//! directions in which the conditions on places let the machine move, and its ways lie on their surface (`connections::surface`).
 
 use std::sync::Arc;
 
