@@ -56,7 +56,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         let mut sets = self.sets(&pressed);
         let kept = self.kept();
-        let leaving: Vec<usize> = rubbing.into_iter().filter(|contact| self.would_leave(*contact, &kept)).collect();
+        let ties = if rubbing.is_empty() { Vec::new() } else { self.system.ties(self.now.high, &kept.x, &kept.modes) };
+        let leaving: Vec<usize> = rubbing.into_iter().filter(|contact| self.would_leave(*contact, (&kept, &ties))).collect();
         sets.extend(leaving.into_iter().map(|contact| vec![(contact, Mode::Positive)]));
         let rival = sets.iter().find(|set| self.is_rival(set, &kept));
         self.rivals = rival.map_or_else(Vec::new, |set| differing(set, &pressed, &kept.modes));
@@ -77,8 +78,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     /// Whether a closed contact, opened, leaves at once: its gap's acceleration without its force, beyond rounding.
-    fn would_leave(&mut self, contact: usize, kept: &Kept) -> bool {
-        let tie = self.system.ties(self.now.high, &kept.x, &kept.modes).into_iter().find(|(guard, _)| *guard == contact);
+    fn would_leave(&mut self, contact: usize, (kept, ties): (&Kept, &[(usize, Tie)])) -> bool {
+        let tie = ties.iter().find(|(guard, _)| *guard == contact);
         self.put_back(kept);
         self.modes[contact] = Mode::Positive;
         if self.system.expand(self.now.high, &self.base, &self.modes, 2).is_err() {
