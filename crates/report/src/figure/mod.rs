@@ -22,6 +22,7 @@ pub use field::Field;
 pub use series::{Mark, Pen, Series};
 
 use crate::rich::{Inline, Rich};
+use crate::unit::Scale;
 use crate::wording::Word;
 use analysis::Dataset;
 use analysis::dataset::Column;
@@ -134,6 +135,17 @@ impl Figure {
             figure.y.scale = scale;
         }
         Some(figure)
+    }
+
+    /// Curves in a plane with equal scales, both axes in the unit `unit` with one prefix for the largest value.
+    pub fn to_scale(name: String, title: Rich, (unit, symbols): (&str, [&str; 2]), series: Vec<Series>) -> Figure {
+        let values = series.iter().flat_map(|s| s.x.iter().chain(&s.y));
+        let largest = values.filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+        let axis =
+            |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column(unit, largest), log: false };
+        let [x, y] = symbols.map(axis);
+        let kind = Kind::Plane { equal: true };
+        Figure { name, title, kind, x, y, series, marks: Vec::new(), along: None, strip: Vec::new(), field: None }
     }
 
     fn of(x: &Column, names: &[&str], data: &Dataset, language: Language) -> Option<Figure> {

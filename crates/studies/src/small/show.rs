@@ -6,10 +6,9 @@ use crate::small::response::{Deformed, ResponseFound};
 use analysis::Dataset;
 use mechanics::model::FrequencyVariable;
 use report::document::{Formula, Inline, Rich};
-use report::figure::{Axis, Kind, Mark, Pen, Series};
+use report::figure::{Axis, Mark, Pen, Series};
 use report::formula::{Bracket, Layout, Printer, Relation};
 use report::table::Column;
-use report::unit::Scale;
 use report::{Block, Cell, Figure, Table, Word};
 use words::Language;
 
@@ -491,20 +490,8 @@ fn deformed(found: &Deformed, language: Language) -> Figure {
         curve(("undeformed", "недеформированная схема"), &found.straight, ""),
         curve(("deformed", "деформированная схема"), &found.line, "w"),
     ];
-    let largest = found.straight.0.iter().chain(&found.straight.1).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-    let axis = |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column("m", largest), log: false };
-    Figure {
-        name: format!("deformed-{omega}").replace([',', '.'], "-"),
-        title: title.as_str().into(),
-        kind: Kind::Plane { equal: true },
-        x: axis("x"),
-        y: axis("y"),
-        series,
-        marks: Vec::new(),
-        along: None,
-        strip: Vec::new(),
-        field: None,
-    }
+    let name = format!("deformed-{omega}").replace([',', '.'], "-");
+    Figure::to_scale(name, title.as_str().into(), ("m", ["x", "y"]), series)
 }
 
 /// An amplitude without bound is drawn up to so many times what it is over most of the range: with more the rest would lie on the axis.
@@ -591,21 +578,9 @@ fn nyquist(found: &ResponseFound, data: &Dataset, language: Language) -> Option<
     if series.is_empty() || units.iter().any(|u| *u != units[0]) {
         return None;
     }
-    let largest = series.iter().flat_map(|s| s.x.iter().chain(&s.y)).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-    let axis =
-        |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column(units[0], largest), log: false };
-    Some(Figure {
-        name: "nyquist".into(),
-        title: language.pick("Nyquist plot", "Годограф (амплитудно-фазовая характеристика)").into(),
-        kind: Kind::Plane { equal: true },
-        x: axis("Re"),
-        y: axis("Im"),
-        series,
-        marks: Vec::new(),
-        along: data.columns.first().map(|c| (Axis::of_columns(&[c]), c.values.clone())),
-        strip: Vec::new(),
-        field: None,
-    })
+    let title = language.pick("Nyquist plot", "Годограф (амплитудно-фазовая характеристика)").into();
+    let along = data.columns.first().map(|c| (Axis::of_columns(&[c]), c.values.clone()));
+    Some(Figure { along, ..Figure::to_scale("nyquist".into(), title, (units[0], ["Re", "Im"]), series) })
 }
 
 /// A polynomial as text for people: raised exponents, true minus, the decimal mark of the language.

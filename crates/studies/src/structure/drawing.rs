@@ -8,7 +8,7 @@ use crate::machine::Machine;
 use crate::small::response::Deformed;
 use analysis::studies::response::{Point, magnitude, phase};
 use report::Figure;
-use report::figure::{Axis, Kind, Mark, Pen, Series};
+use report::figure::{Mark, Pen, Series};
 use report::unit::Scale;
 use structures::loads::Carried;
 use structures::statics::Station;
@@ -337,18 +337,5 @@ fn ordinates(frame: &Frame<f64>, diagrams: &[Vec<Station<f64>>], diagram: &Diagr
 }
 
 fn figure(name: &str, title: String, series: Vec<Series>) -> Figure {
-    let largest = series.iter().flat_map(|s| s.x.iter().chain(&s.y)).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-    let axis = |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column("m", largest), log: false };
-    Figure {
-        name: name.into(),
-        title: title.as_str().into(),
-        kind: Kind::Plane { equal: true },
-        x: axis("x"),
-        y: axis("y"),
-        series,
-        marks: Vec::new(),
-        along: None,
-        strip: Vec::new(),
-        field: None,
-    }
+    Figure::to_scale(name.into(), title.as_str().into(), ("m", ["x", "y"]), series)
 }
