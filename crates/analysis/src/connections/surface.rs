@@ -10,11 +10,10 @@
 //!
 //! Beside the surface c goes on with its slope J.
 
-use super::way::{Sum, sum};
+use super::way::{Sum, lost, sum};
 use crate::Fault;
 use algebra::qr::Qr;
 use algebra::vectors::norm;
-use words::Text;
 
 /// Change of the integral by halving the stretches, relative to its terms, that ends the halving: sums of some hundred terms keep no more.
 const SETTLED: f64 = 4e-15;
@@ -128,8 +127,4 @@ fn trapezoids(stops: &[(Instant, Slopes)]) -> Vec<Sum> {
 /// What the rows gain off the surface.
 fn outside(slopes: &Slopes, beside: &[f64]) -> Vec<f64> {
     slopes.rows.iter().map(|row| row.iter().zip(beside).map(|(j, d)| j * d).sum()).collect()
-}
-
-fn lost(t: f64) -> Fault {
-    Fault::not_finite(&Text::new("way of a connection", "путь связи"), t)
 }

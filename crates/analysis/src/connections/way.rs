@@ -24,7 +24,7 @@ pub(crate) fn integrals(t: f64, mut at: impl FnMut(f64) -> Result<Vec<Sum>, Faul
             return Ok(now);
         }
         if panels >= PANELS {
-            return Err(Fault::not_finite(&Text::new("way of a connection", "путь связи"), t));
+            return Err(lost(t));
         }
         (before, panels) = (now, 2 * panels);
     }
@@ -41,6 +41,11 @@ fn on_panels(panels: usize, at: &mut impl FnMut(f64) -> Result<Vec<Sum>, Fault>)
         }
     }
     Ok(sums)
+}
+
+/// A way that does not lead to a place, at time t.
+pub(crate) fn lost(t: f64) -> Fault {
+    Fault::not_finite(&Text::new("way of a connection", "путь связи"), t)
 }
 
 /// Σ of products, and of their sizes.

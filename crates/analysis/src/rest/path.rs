@@ -29,6 +29,8 @@ use algebra::vectors::norm;
 const GRADIENT: f64 = 1e-9;
 /// Places at which derivatives are compared, besides the start.
 const LOOKS: usize = 4;
+/// How far from the start these lie: radians, shares of a length.
+const BESIDE: f64 = 0.3;
 
 /// Where a condition on rates leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,11 +71,7 @@ impl Paths {
         let mut roots = roots(equations, conditions, &mut graph);
         let zero = graph.zero();
         roots.extend(placed.iter().map(|c| equations.conditions[*c].place.unwrap_or(zero)));
-        for c in placed {
-            let mut row = vec![zero; n];
-            equations.conditions[*c].columns.iter().for_each(|(j, e)| row[*j] = *e);
-            roots.extend(row);
-        }
+        placed.iter().for_each(|c| roots.extend(levers(equations, *c, zero)));
         let named: Vec<(String, Expr)> = roots.iter().enumerate().map(|(i, e)| (format!("path {}", i + 1), *e)).collect();
         let rates = equations.coordinates.iter().flat_map(|c| [c.symbols[1], c.symbols[2]]);
         let inputs = Inputs {
@@ -113,9 +111,20 @@ impl Paths {
         &self.anchor
     }
 
-    /// Whether each of the conditions says where the machine can be.
+    /// Whether a condition, counted among those on rates, says where the machine can be.
+    pub(super) fn leads_to_place(&self, slot: usize) -> bool {
+        self.leads[slot] != Leads::Anywhere
+    }
+
+    /// The same of each of them.
     pub(super) fn exact(&self) -> impl Iterator<Item = bool> {
         self.leads.iter().map(|leads| *leads != Leads::Anywhere)
+    }
+
+    /// The start, then places around it.
+    fn looked_at(&self, look: usize, random: &mut Random) -> Vec<f64> {
+        let aside = |v: &f64, random: &mut Random| if look > 0 { BESIDE * random.between(-1.0, 1.0) * v.abs().max(1.0) } else { 0.0 };
+        self.anchor.iter().map(|v| v + aside(v, random)).collect()
     }
 
     fn values(&mut self, q: &[f64]) -> Result<Vec<f64>, Fault> {
@@ -128,10 +137,7 @@ impl Paths {
         let mut exact = vec![true; count];
         let mut random = Random::new(29);
         for look in 0..=LOOKS {
-            let mut q = self.anchor.clone();
-            if look > 0 {
-                q.iter_mut().for_each(|v| *v += random.between(-0.3, 0.3) * v.abs().max(1.0));
-            }
+            let q = self.looked_at(look, &mut random);
             let values = match self.values(&q) {
                 Ok(values) => values,
                 Err(fault) if look == 0 => return Err(fault),
@@ -154,10 +160,7 @@ impl Paths {
         let mut looked = 0;
         let mut random = Random::new(31);
         for look in 0..=LOOKS {
-            let mut q = self.anchor.clone();
-            if look > 0 {
-                q.iter_mut().for_each(|v| *v += random.between(-0.3, 0.3) * v.abs().max(1.0));
-            }
+            let q = self.looked_at(look, &mut random);
             let mut at = |instant: &Instant| self.slopes(instant);
             let Ok(((_, q), slopes)) = (Ways { at: &mut at }).onto(&(0.0, q)) else { continue };
             let Ok(values) = self.values(&q) else { continue };
@@ -206,17 +209,19 @@ impl Paths {
     }
 }
 
+/// J of a condition.
+fn levers(equations: &Equations, condition: usize, zero: Expr) -> Vec<Expr> {
+    let mut row = vec![zero; equations.coordinates.len()];
+    equations.conditions[condition].columns.iter().for_each(|(j, e)| row[*j] = *e);
+    row
+}
+
 /// J of each condition, then ∂J_i/∂q_j of each.
 fn roots(equations: &Equations, conditions: &[usize], graph: &mut Graph) -> Vec<Expr> {
-    let n = equations.coordinates.len();
     let zero = graph.zero();
     let known = definitions(equations);
     let mut rows = Vec::new();
-    for c in conditions {
-        let mut row = vec![zero; n];
-        equations.conditions[*c].columns.iter().for_each(|(j, e)| row[*j] = *e);
-        rows.push(row);
-    }
+    conditions.iter().for_each(|c| rows.push(levers(equations, *c, zero)));
     let mut list = rows.concat();
     let mut by: Vec<symbolic::Derivation> = Vec::new();
     for coordinate in &equations.coordinates {

@@ -208,7 +208,7 @@ impl RestSystem {
 
     /// Whether a condition on rates, counted among those alone, leads to a place.
     pub(super) fn leads_to_place(&self, slot: usize) -> bool {
-        self.paths.as_ref().and_then(|p| p.exact().nth(slot)) == Some(true)
+        self.paths.as_ref().is_some_and(|p| p.leads_to_place(slot))
     }
 
     /// From where conditions on rates are counted.
@@ -289,7 +289,7 @@ impl RestSystem {
         };
         for (slot, c) in (0..places.len()).filter(|c| self.rate_only[*c]).enumerate() {
             (0..n).for_each(|j| places[c].slopes[j] = jacobian[slot * n + j].value);
-            if self.paths.as_ref().and_then(|p| p.exact().nth(slot)) == Some(true) {
+            if self.paths.as_ref().is_some_and(|p| p.leads_to_place(slot)) {
                 places[c].value = integrals[slot];
             }
         }

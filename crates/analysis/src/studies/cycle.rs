@@ -456,14 +456,8 @@ struct Fed {
 impl Fed {
     fn add(&mut self, pieces: &[Piece]) {
         for piece in pieces.iter().filter(|p| p.of == DRIVEN) {
-            let done = crossings::integral(&piece.row, piece.to - piece.from);
-            let mut last = 0.0;
-            for u in roots(&piece.row).into_iter().chain([1.0]) {
-                let value = crossings::value(&done, u);
-                self.size += (value - last).abs();
-                last = value;
-            }
-            self.work += last;
+            let [work, size] = done(piece, |_, _| {});
+            (self.work, self.size) = (self.work + work, self.size + size);
         }
     }
 
@@ -480,6 +474,19 @@ impl Fed {
         // a difference of potentials is as uncertain as they are
         [self.work - gained(first, last) + self.jumps, size + first.known.max(last.known) / ROUNDING]
     }
+}
+
+/// Work of a piece, and what passes in it; told where it turns back and at the end.
+fn done(piece: &Piece, mut told: impl FnMut(f64, f64)) -> [f64; 2] {
+    let work = crossings::integral(&piece.row, piece.to - piece.from);
+    let (mut last, mut size) = (0.0, 0.0);
+    for u in roots(&piece.row).into_iter().chain([1.0]) {
+        let value = crossings::value(&work, u);
+        told(u, value);
+        size += f64::abs(value - last);
+        last = value;
+    }
+    [last, size]
 }
 
 /// A potential energy, and its rounding.
@@ -574,15 +581,9 @@ impl Sum {
 
     /// Work of a piece, with the extremes of the work inside it.
     fn working(&mut self, piece: &Piece, before: f64, place: &dyn Fn(f64) -> f64) -> f64 {
-        let done = crossings::integral(&piece.row, piece.to - piece.from);
-        let mut last = 0.0;
-        for u in roots(&piece.row).into_iter().chain([1.0]) {
-            let value = crossings::value(&done, u);
-            self.offer(3, place(piece.from + (piece.to - piece.from) * u), before + value);
-            self.size += (value - last).abs();
-            last = value;
-        }
-        last
+        let [work, size] = done(piece, |u, value| self.offer(3, place(piece.from + (piece.to - piece.from) * u), before + value));
+        self.size += size;
+        work
     }
 
     /// Rows whose angle lies in a piece of the power, before which the work is `before`.
