@@ -63,6 +63,7 @@ const EXPLANATIONS: &[Explanation] = &[
     studies::NOT_AT_REST,
     studies::NO_SUCH_PERIOD,
     studies::NOT_TURNING,
+    studies::PARTS,
     studies::NO_ENERGY,
     studies::NO_DRIVE,
     studies::DEAD_POINT,

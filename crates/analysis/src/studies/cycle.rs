@@ -21,6 +21,7 @@
 //! output, mean over time = cycle/duration.
 //! *Source*: I. I. Artobolevskii, Theory of Mechanisms and Machines, 16-19.
 
+use words::digits::rounded;
 use words::{Message, Text};
 
 use crate::dataset::{Audit, Column, Dataset, Extreme};
@@ -31,7 +32,7 @@ use crate::marks::crossings::{self, Bracket};
 use crate::marks::extremes::Extremes;
 use crate::marks::{Along, bracketed};
 use crate::proxies::proxy::{Piece, Proxies, Values};
-use crate::{Fault, GuardKind, Mode, Quantity, System};
+use crate::{Fault, Guard, GuardKind, Mode, Quantity, System};
 use algebra::gauss::EIGHT;
 
 /// Options of the study.
@@ -92,7 +93,7 @@ struct Reduced {
 /// The balance over one cycle from the state `start`. `lead` is the same machine with its shaft held to the uniform rate, whose motion shows the places
 /// and which contacts are closed; without it the machine's own motion does.
 ///
-/// *Errors*: S046 when the shaft does not turn through the cycle, S047 when the system has no energies, and every fault of a motion.
+/// *Errors*: S046 when the shaft does not turn through the cycle, S047 when the system has no energies, S168 when a contact opens, closes or is struck, and every fault of a motion.
 pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<Balance, Fault> {
     let Led { mut machine, steps } = led(system, lead, start, options)?;
     let machine = &mut machine;
@@ -136,9 +137,9 @@ struct Led<'p, S> {
 }
 
 fn led<'p, S: System>(system: &'p mut S, lead: Option<&'p mut S>, start: &[f64], options: &Cycle) -> Result<Led<'p, S>, Fault> {
-    let alike = |lead: &S| lead.states() == system.states() && lead.guards().len() == system.guards().len();
-    let mut lead = lead.filter(|lead| alike(lead));
-    let steps = match &mut lead {
+    let alike = |lead: &S| if lead.states() == system.states() { shared(system.guards(), lead.guards()) } else { None };
+    let (mut lead, shared) = lead.and_then(|lead| alike(lead).map(|shared| (lead, shared))).unzip();
+    let turned = match &mut lead {
         Some(lead) => turn(&mut **lead, start, options, 1.0)?,
         // places alone matter: where the loads stop the shaft, it is made quicker
         None => match turn(system, start, options, 1.0) {
@@ -146,7 +147,20 @@ fn led<'p, S: System>(system: &'p mut S, lead: Option<&'p mut S>, start: &[f64],
             other => other?,
         },
     };
-    Ok(Led { machine: Pair { own: system, uniform: lead }, steps })
+    let Turned { steps, parted } = turned;
+    if let Some((guard, angle)) = parted {
+        let guards = lead.as_ref().map_or(system.guards(), |lead| lead.guards());
+        return Err(parts(&guards[guard].name, (&system.states()[options.angle].name, angle)));
+    }
+    let shared = shared.unwrap_or_else(|| (0..system.guards().len()).collect());
+    Ok(Led { machine: Pair { own: system, uniform: lead, shared }, steps })
+}
+
+/// Where guards stand among those of the same machine held to the uniform rate, which has some more where one more condition makes its reactions redundant; none where it is another machine.
+fn shared(own: &[Guard], held: &[Guard]) -> Option<Vec<usize>> {
+    let mut left = held.iter().enumerate();
+    let same = |a: &Guard, b: &Guard| a.name == b.name && std::mem::discriminant(&a.kind) == std::mem::discriminant(&b.kind);
+    own.iter().map(|own| left.find(|(_, held)| same(own, held)).map(|(at, _)| at)).collect()
 }
 
 /// The machine, and the same with its shaft held to the uniform rate. What dry friction takes hangs on normal forces, and these on accelerations: those of
@@ -154,12 +168,20 @@ fn led<'p, S: System>(system: &'p mut S, lead: Option<&'p mut S>, start: &[f64],
 struct Pair<'p, S: ?Sized> {
     own: &'p mut S,
     uniform: Option<&'p mut S>,
+    /// Where the guards of the machine stand among those of the motion that leads.
+    shared: Vec<usize>,
 }
 
 impl<S: System + ?Sized> Pair<'_, S> {
+    /// Modes of the machine where those of the motion that leads are these.
+    fn own_modes(&self, modes: &[Mode]) -> Vec<Mode> {
+        self.shared.iter().map(|&at| modes[at]).collect()
+    }
+
     /// Power of the loads less the dissipated one, that at the accelerations of the uniform motion; and dE/dt.
     fn power(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<Power, Fault> {
-        let own = self.own.supply(t, x, accelerations, modes).ok_or_else(no_energies)?;
+        let own_modes = self.own_modes(modes);
+        let own = self.own.supply(t, x, accelerations, &own_modes).ok_or_else(no_energies)?;
         let dissipated = match &mut self.uniform {
             Some(uniform) => uniform.supply(t, x, accelerations, modes).ok_or_else(no_energies)?.dissipated,
             None => own.dissipated,
@@ -172,15 +194,22 @@ impl<S: System + ?Sized> Pair<'_, S> {
         let t = step.instant(tau).high;
         let mut x = vec![0.0; self.own.states().len()];
         step.state_at(t, &mut x);
-        let [_, energy] = self.own.energies(t, &x, &step.modes).ok_or_else(no_energies)?;
+        let [_, energy] = self.energies(t, &x, &step.modes).ok_or_else(no_energies)?;
         let Reduced { moment, driven, .. } = reduced(self, step, tau, options)?;
         // the angle of the end is known to the rounding of the way there
         Ok(Potential { energy, known: ROUNDING * (energy.abs() + ((moment - driven) * options.range).abs()) })
     }
 
+    /// Kinetic and potential energy.
+    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        let modes = self.own_modes(modes);
+        self.own.energies(t, x, &modes)
+    }
+
     /// dE/dt.
     fn rate(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<f64, Fault> {
-        self.own.energy_rate(t, x, accelerations, modes).ok_or_else(no_energies)
+        let modes = self.own_modes(modes);
+        self.own.energy_rate(t, x, accelerations, &modes).ok_or_else(no_energies)
     }
 }
 
@@ -218,7 +247,7 @@ pub fn running<S: System>(system: &mut S, start: &[f64], options: &Cycle) -> Res
     let rate = system.n_coordinates() + options.angle;
     let name = &system.states()[rate].name;
     let output = system.outputs().iter().position(|o| o.name == *name);
-    let steps = turn(system, start, options, 1.0)?;
+    let Turned { steps, .. } = turn(system, start, options, 1.0)?;
     let mut extremes = Extremes::new(system, &output.into_iter().collect::<Vec<_>>(), options.tolerance);
     let mut duration = 0.0;
     for (step, length) in &steps {
@@ -285,7 +314,7 @@ fn same_work<S: System + ?Sized>(
         }
         for (end, t) in [(0, step.start.high), (1, step.instant(*length).high)] {
             step.state_at(t, &mut x);
-            let energy = machine.own.energies(t, &x, &step.modes).map(|[kinetic, _]| kinetic);
+            let energy = machine.energies(t, &x, &step.modes).map(|[kinetic, _]| kinetic);
             if end == 1 || kinetic[0].is_none() {
                 kinetic[end] = energy;
             }
@@ -303,8 +332,16 @@ fn same_work<S: System + ?Sized>(
     Ok(Audit::at_most("work_of_uniform_motion", name, off, 1e-9))
 }
 
-/// The steps of the motion through the cycle, each with the part of it that counts.
-pub(super) fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quicker: f64) -> Result<Vec<(Step, f64)>, Fault> {
+/// A motion through the cycle.
+pub(super) struct Turned {
+    /// Its steps, each with the part of it that counts.
+    pub(super) steps: Vec<(Step, f64)>,
+    /// The contact that opens, closes or is struck first, with the angle.
+    parted: Option<(usize, f64)>,
+}
+
+/// The motion through the cycle.
+pub(super) fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quicker: f64) -> Result<Turned, Fault> {
     let j = options.angle;
     let n = system.n_coordinates();
     let mut x = start.to_vec();
@@ -315,8 +352,9 @@ pub(super) fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let rate = if x[n + j] == 0.0 { options.rate } else { x[n + j] };
     // a nanosecond: the length of a run is not nothing
     let most = 10.0 * (options.range / rate).abs().max(1e-9);
+    let contacts: Vec<bool> = system.guards().iter().map(|g| matches!(g.kind, GuardKind::Contact { .. })).collect();
     let mut flow = Flow::start(system, 0.0, &x, &Options { tolerance: options.tolerance, span: most, ..Options::default() })?;
-    let mut steps: Vec<(Step, f64)> = Vec::new();
+    let (mut steps, mut parted): (Vec<(Step, f64)>, _) = (Vec::new(), None);
     while !flow.reached(most) && steps.len() < STEPS {
         flow.advance(most)?;
         let step = flow.step().clone();
@@ -328,9 +366,10 @@ pub(super) fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
                 if sign * (place(middle) - end) < 0.0 { a = middle } else { b = middle }
             }
             steps.push((step, b));
-            return Ok(steps);
+            return Ok(Turned { steps, parted });
         }
         let length = step.length;
+        parted = parted.or_else(|| flow.switches().iter().find(|s| contacts[s.guard]).map(|s| (s.guard, place(length))));
         steps.push((step, length));
     }
     Err(not_turning(&system.states()[j].name))
@@ -399,6 +438,26 @@ fn no_energies() -> Fault {
         what: Text::new("the machine has no energies at this place", "в этом положении энергии машины не определены"),
         why: Text::new("a formula of a load or an energy has no value there", "формула нагрузки или энергии там не имеет значения"),
         help: Text::new("check the formulas of loads over the whole turn", "проверьте формулы нагрузок на всём обороте"),
+    })
+}
+
+/// S168: what a contact holds only for a part of the turn follows from the angle only there.
+fn parts(contact: &Text, (name, angle): (&str, f64)) -> Fault {
+    let angle = rounded(angle);
+    Fault::new(Message {
+        code: "S168",
+        what: Text::new(
+            format!("{} does not stay as it is through the cycle: it changes at {name} = {} rad", contact.en, angle.en),
+            format!("{}: состояние меняется в цикле при {name} = {} рад", contact.ru, angle.ru),
+        ),
+        why: Text::new(
+            "while a contact is open the machine has one freedom more: its places do not follow from the angle, and what a blow takes is no moment of the shaft",
+            "при открытом контакте у машины на одну степень свободы больше: положения не следуют из угла, а потери при ударе не сводятся к моменту на валу",
+        ),
+        help: Text::new(
+            "choose a rate at which the contact stays closed; or hold the shaft with [motions] and take the work of a turn that repeats from `inverse`, divided by its angle",
+            "выберите скорость, при которой контакт остаётся замкнутым; либо задайте движение вала в [motions] и разделите на угол работу повторяющегося оборота из `inverse`",
+        ),
     })
 }
 

@@ -74,6 +74,15 @@ pub(crate) const NOT_TURNING: Explanation = plain(
     ),
 );
 
+pub(crate) const PARTS: Explanation = plain(
+    "S168",
+    ("a contact changes in the cycle", "контакт меняет состояние в цикле"),
+    (
+        "The study `cycle` reduces the machine to its main shaft: all places follow from the angle, at any rate. A contact that opens, closes or is struck within the cycle gives the machine a freedom of its own for a part of it. A follower that leaves its cam flies by its own weight and strikes when it comes down; what that takes depends on the rate, and whether the turn repeats is another question. Hold the shaft with `[motions]`, let the machine run until its turns repeat, and take the work of one turn from `inverse`.",
+        "Расчёт `cycle` приводит машину к главному валу: все положения следуют из угла при любой скорости. Контакт, который в цикле размыкается, замыкается или испытывает удар, на части цикла даёт машине собственную степень свободы. Толкатель, оторвавшийся от кулачка, летит под действием веса и при падении ударяет; потери при этом зависят от скорости, а повторяется ли оборот – отдельный вопрос. Задайте движение вала в `[motions]`, дайте машине поработать, пока обороты не станут повторяться, и возьмите работу за один оборот из `inverse`.",
+    ),
+);
+
 pub(crate) const NO_ENERGY: Explanation = plain(
     "S047",
     ("no energies at a place of the cycle", "энергии в некотором положении не определены"),

@@ -17,7 +17,7 @@ pub fn over_cycle<S: System>(system: &mut S, start: &[f64], options: &Cycle, pus
     }
     system.show(&known.iter().map(|push| push.output).collect::<Vec<_>>())?;
     let name = system.states()[options.angle].name.clone();
-    let steps = turn(system, start, options, 1.0)?;
+    let steps = turn(system, start, options, 1.0)?.steps;
     let mut pushes = Pushes::new(&known);
     for (step, length) in &steps {
         pushes.look(&mut Along::new(step, system, *length));

@@ -14,6 +14,16 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
         ),
     ),
     plain(
+        "S169",
+        ("a switch where the period begins", "переключение в начале периода"),
+        (
+            "A regime is followed by its state at the beginning of the period. Where an impact, the end of a sticking or another switch comes to lie just there, what is free at the start is not what is free a period \
+             later: a rate that sticking fixes at t = 0 is no unknown, although the body slides at t = T. The regime itself goes on; begin its period at another instant (t + t0 for t in the formulas of time) to follow it further.",
+            "Режим прослеживается по его состоянию в начале периода. Если удар, конец залипания или другое переключение попадает именно туда, то в начале свободно не то, что период спустя: скорость, заданная \
+             залипанием при t = 0, не является неизвестной, хотя при t = T тело скользит. Сам режим продолжается; чтобы проследить его дальше, начните период в другой момент (t + t0 вместо t в формулах времени).",
+        ),
+    ),
+    plain(
         "S151",
         ("a motion that runs on", "движение, которое не возвращается"),
         (

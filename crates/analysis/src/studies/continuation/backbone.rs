@@ -234,6 +234,7 @@ impl Zeros for Free<'_, '_> {
         let outside = |m: &Multiplier| !m.trivial && m.abs() - 1.0 > m.error;
         let modes = self.machine.modes_by_value(0.0, &y[..n]).unwrap_or_default();
         let energy = self.machine.energies(0.0, &y[..n], &modes).map(|[kinetic, potential]| kinetic + potential - self.least);
+        let slowest = turned.slowest(self.machine)?;
         let facts = Facts {
             period: turned.period(),
             extremes: turned.extremes(places),
@@ -241,6 +242,8 @@ impl Zeros for Free<'_, '_> {
             multipliers,
             energy,
             switches: turned.switches(),
+            slowest,
+            edge: turned.edge(),
             liouville: varied.liouville,
             ..Facts::default()
         };

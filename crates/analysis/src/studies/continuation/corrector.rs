@@ -110,7 +110,7 @@ pub(super) fn reached(zeros: &mut dyn Zeros, guess: Vec<f64>, direction: &[f64])
 /// *Errors*: those of the equations.
 pub(super) fn place(zeros: &mut dyn Zeros, mut y: Vec<f64>, direction: &[f64]) -> Result<Option<Place>, Fault> {
     let mut local = zeros.local(&y)?;
-    for _ in 0..POLISHED {
+    for polish in 0..=POLISHED {
         let k = local.basis.len();
         let mut matrix = local.jacobian.clone();
         matrix.extend(local.basis.iter().map(|c| direction.iter().zip(c).zip(&local.scales).map(|((d, c), s)| d / s * c).sum::<f64>()));
@@ -118,8 +118,8 @@ pub(super) fn place(zeros: &mut dyn Zeros, mut y: Vec<f64>, direction: &[f64]) -
         let Some(change) = Lu::exact(&matrix, k).and_then(|lu| lu.solve(&right)) else { break };
         let size = norm(&change);
         local.facts.miss = size;
-        // a guess is no point yet, and what cannot be corrected stays what it is
-        if size <= ROUNDED || !size.is_finite() || size > FAR {
+        // a guess is no point yet, and what cannot be corrected stays what it is: between two pieces of the equations corrections lead to and fro
+        if size <= ROUNDED || !size.is_finite() || size > FAR || polish == POLISHED {
             break;
         }
         y = zeros.moved(&y, &change, &local)?;

@@ -1,8 +1,10 @@
 //! A branch from one of its points on: steps along the tangent, each held against what lies on its way.
 
 use super::corrector::{self, Plane, settle};
+use super::ground::passes_the_start;
 use super::locate::{self, Located, Special, What, flagged, located};
 use super::signs;
+use super::touching;
 use super::zeros::{Local, Place, Sort, Zeros};
 use crate::Fault;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -93,6 +95,12 @@ impl Curve {
         self.ends[1] = Some(End::Rests);
     }
 
+    /// Whether a switch is only touched at its end that the special point before this one of its points is.
+    pub(super) fn grazes_at(&self, place: usize) -> bool {
+        let [begin, end] = &self.ends;
+        *begin == Some(End::Grazes) && place <= 1 || *end == Some(End::Grazes) && place + 1 >= self.places.len()
+    }
+
     /// The same from its end to its beginning.
     pub(super) fn turned(mut self) -> Curve {
         let last = self.places.len();
@@ -179,16 +187,14 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
             Tried::Refused(fault) => {
                 h *= 0.5;
                 if h < SHORTEST {
-                    let grazes = grazing(zeros, &a);
-                    curve.special.extend(grazes.map(|special| (curve.places.len() - 1, special)));
-                    curve.ends[1] = Some(match curve.special.last() {
-                        Some((_, special)) if special.what == What::Grazing => End::Grazes,
-                        _ if lingers(&a, bounds.ranges.len()) => End::Lingers,
-                        _ => End::Stuck(h, fault),
-                    });
+                    if !grazes(zeros, &mut curve) {
+                        let fault = if touching::is_at_edge(&a) { Some(passes_the_start()) } else { fault };
+                        curve.ends[1] = Some(if lingers(&a, bounds.ranges.len()) { End::Lingers } else { End::Stuck(h, fault) });
+                    }
                     return curve;
                 }
             }
+            Tried::Done(b, ..) if touching::is_blurred(&b) && grazes(zeros, &mut curve) => return curve,
             Tried::Done(b, mut events, steps, side) => {
                 let place = curve.places.len();
                 if let Some(first) = events.iter().position(|e| rests(&e.special.place, [&a, &b])) {
@@ -220,6 +226,14 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
         }
     }
     curve
+}
+
+/// Ends a branch where a switch is only touched at its end.
+fn grazes(zeros: &mut dyn Zeros, curve: &mut Curve) -> bool {
+    let Some(special) = touching::end(zeros, &curve.places) else { return false };
+    curve.special.push((curve.places.len() - 1, special));
+    curve.ends[1] = Some(End::Grazes);
+    true
 }
 
 /// Extent of a motion, as a share of what it is at the ends of a step, that is none. Through rest the extent falls to 0 and grows again in a straight line, and the place of a branch
@@ -271,20 +285,6 @@ pub(super) fn winds(curve: &Curve, parameters: usize) -> Option<f64> {
     // the rest of an alternating geometric series
     let rest = way[2] * way[2] / (way[1] - way[2]);
     (nearer && longer && way[2].abs() <= WOUND * range).then(|| last[3].parameter() + rest)
-}
-
-/// Steps beyond the end of a branch at which the motion is looked at: from what corrections resolve to what a straight way is good for.
-const BEYOND: [f64; 4] = [1e-8, 1e-7, 1e-6, 1e-4];
-
-/// The end of a branch beyond which the motion switches otherwise.
-fn grazing(zeros: &mut dyn Zeros, a: &Place) -> Option<Special> {
-    let other = |h: &f64| {
-        let ahead: Vec<f64> = a.y.iter().zip(&a.tangent).map(|(y, t)| y + h * t).collect();
-        zeros.switches(&ahead).is_some_and(|switches| switches != a.local.facts.switches)
-    };
-    let h = BEYOND.into_iter().find(other)?;
-    let last = a.y.len() - 1;
-    Some(Special { what: What::Grazing, place: a.clone(), within: (h * a.tangent[last]).abs() })
 }
 
 /// One step; refused where it is too long for what lies on it.

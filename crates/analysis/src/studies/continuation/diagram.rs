@@ -109,7 +109,7 @@ impl Diagram {
             match self.known(&special) {
                 None => self.special.push((which, place, special)),
                 Some(k) => {
-                    let before = &curve.places[place - 1];
+                    let before = &curve.places[place.saturating_sub(1)];
                     self.joined.push((k, before.y.iter().zip(&special.place.y).map(|(a, b)| a - b).collect()));
                 }
             }
@@ -117,17 +117,21 @@ impl Diagram {
         self.curves.push(curve);
     }
 
-    /// The special point of another branch that a branch point is, if it is one: that crosses there, or doubles its period.
+    /// The special point of another branch that a branch point is, if it is one: that crosses there, or doubles its period; or where it touches the same switch.
     pub(super) fn known(&self, special: &Special) -> Option<usize> {
         let own = &special.place;
         let range = own.local.scales.last().copied().unwrap_or(1.0);
         let alike = |other: &Special| {
             let near = |i: usize| (other.place.y[i] - own.y[i]).abs() <= ALIKE * own.local.scales[i];
-            matches!(other.what, What::Branch | What::Doubling)
+            let meets = match special.what {
+                What::Grazing => other.what == What::Grazing,
+                _ => matches!(other.what, What::Branch | What::Doubling),
+            };
+            meets
                 && other.place.local.states == own.local.states
                 && (other.place.parameter() - own.parameter()).abs() <= SAME * range
                 && own.local.states.iter().all(|i| near(*i))
         };
-        if special.what == What::Branch { self.special.iter().position(|(_, _, other)| alike(other)) } else { None }
+        if matches!(special.what, What::Branch | What::Grazing) { self.special.iter().position(|(_, _, other)| alike(other)) } else { None }
     }
 }

@@ -92,3 +92,22 @@ pub(super) fn not_the_turn() -> Fault {
         ),
     })
 }
+
+/// Something switches where the period begins.
+pub(super) fn passes_the_start() -> Fault {
+    Fault::new(Message {
+        code: "S169",
+        what: Text::new(
+            "something switches just where the period begins, at t = 0",
+            "переключение происходит именно там, где начинается период, – при t = 0",
+        ),
+        why: Text::new(
+            "a contact closes or opens, or a friction comes to rest or breaks away there; what is free at the start is not what is free a period later, and the motion is not followed across that",
+            "там контакт замыкается или размыкается, трение останавливает или отпускает тело; в начале свободно не то, что период спустя, и через такую точку ветвь не продолжается",
+        ),
+        help: Text::new(
+            "begin the period elsewhere: write t + t0 for t in all formulas of time, with t0 a part of the period in which nothing happens, and start the motion there",
+            "начните период в другой момент: во всех формулах времени замените t на t + t0, где t0 – доля периода, на которой ничего не происходит, и начните движение оттуда",
+        ),
+    })
+}

@@ -5,6 +5,7 @@
 
 use super::corrector::{self, Plane, settle};
 use super::signs::{self, leaves_as_pair, leaving};
+use super::touching;
 use super::zeros::{Place, Sort, Zeros};
 use crate::Fault;
 
@@ -70,6 +71,13 @@ pub struct Special {
 pub(super) struct Located {
     pub(super) special: Special,
     pub(super) share: f64,
+}
+
+impl Located {
+    /// One of a part of the way on the whole of it.
+    fn within(self, [low, high]: [f64; 2]) -> Located {
+        Located { share: low + (high - low) * self.share, ..self }
+    }
 }
 
 /// A test function that changes its sign.
@@ -159,19 +167,52 @@ pub(super) fn unexplained(a: &Place, b: &Place, events: &[Located]) -> bool {
     before.abs_diff(after) > by
 }
 
-/// Where each of the tests changes its sign, in order.
+/// Where each of the tests changes its sign, in order. A step on which the switches change is parted there, and each part has its own: what a test function does as a switch comes or
+/// goes is a jump, and no zero.
 ///
 /// *Errors*: those of the equations.
 pub(super) fn located(zeros: &mut dyn Zeros, a: &Place, b: &Place, tests: &[Test]) -> Result<Vec<Located>, Fault> {
+    let (mut list, mut from, mut passed) = (Vec::new(), a.clone(), 0.0);
+    let mut tests = tests.to_vec();
+    for _ in 0..TOGETHER {
+        if !tests.contains(&Test::Switches) {
+            break;
+        }
+        let Some(touch) = touch(zeros, &from, b)? else { break };
+        let Bracket { shares: [low, high], places: [before, after] } = touch;
+        let at = |share: f64| passed + (1.0 - passed) * share;
+        let part = [passed, at(low)];
+        list.extend(smooth(zeros, &from, &before, &flagged(&from, &before))?.into_iter().map(|event| event.within(part)));
+        let within = 0.5 * (after.parameter() - before.parameter()).abs();
+        if ![&before, &after].into_iter().any(touching::is_at_edge) {
+            let special = Special { what: What::Grazing, within, place: after.clone() };
+            list.push(Located { special, share: at(0.5 * (low + high)) });
+        }
+        (from, passed) = (after, at(high));
+        tests = flagged(&from, b);
+    }
+    let rest = smooth(zeros, &from, b, &tests)?;
+    list.extend(rest.into_iter().map(|event| event.within([passed, 1.0])));
+    Ok(list)
+}
+
+/// Where the switches change first.
+fn touch(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<Option<Bracket>, Fault> {
+    let value = |place: &Place| if place.local.facts.switches == a.local.facts.switches { 1.0 } else { -1.0 };
+    bracket(zeros, (a, b), Test::Switches, [1.0, -1.0], &value)
+}
+
+/// The same of tests that have zeros.
+fn smooth(zeros: &mut dyn Zeros, a: &Place, b: &Place, tests: &[Test]) -> Result<Vec<Located>, Fault> {
     let mut list = Vec::new();
-    for test in tests {
+    for test in tests.iter().filter(|test| **test != Test::Switches) {
         list.extend(one(zeros, a, b, *test)?);
     }
     list.sort_by(|x, y| x.share.total_cmp(&y.share));
     Ok(list)
 }
 
-/// Changes of the number of multipliers outside that are told apart on a step.
+/// Changes of the switches, and of the number of multipliers outside, that are told apart on a step.
 const TOGETHER: usize = 8;
 
 /// Where several things happen on a step: test functions that change their signs twice tell nothing, so the step is parted where the number of multipliers outside
@@ -180,7 +221,6 @@ const TOGETHER: usize = 8;
 /// *Errors*: those of the equations.
 pub(super) fn one_by_one(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<Vec<Located>, Fault> {
     let (mut list, mut from, mut passed) = (Vec::new(), a.clone(), 0.0);
-    let within = |located: Located, [low, high]: [f64; 2]| Located { share: low + (high - low) * located.share, ..located };
     for _ in 0..TOGETHER {
         if from.signs.outside == b.signs.outside {
             break;
@@ -188,18 +228,18 @@ pub(super) fn one_by_one(zeros: &mut dyn Zeros, a: &Place, b: &Place) -> Result<
         let Some(change) = one(zeros, &from, b, Test::Count)? else { break };
         let after = change.special.place.clone();
         let fine = located(zeros, &from, &after, &flagged(&from, &after))?;
-        let change = within(change, [passed, 1.0]);
+        let change = change.within([passed, 1.0]);
         let part = [passed, change.share];
         passed = change.share;
         // a fold in the same part explains one of them, and not the rest
         if unexplained(&from, &after, &fine) {
             list.push(change);
         }
-        list.extend(fine.into_iter().map(|event| within(event, part)));
+        list.extend(fine.into_iter().map(|event| event.within(part)));
         from = after;
     }
     let rest = located(zeros, &from, b, &flagged(&from, b))?;
-    list.extend(rest.into_iter().map(|event| within(event, [passed, 1.0])));
+    list.extend(rest.into_iter().map(|event| event.within([passed, 1.0])));
     Ok(list)
 }
 
@@ -228,13 +268,8 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Doubling => place.signs.doubling.unwrap_or(f64::NAN),
         Test::Pair => place.signs.pair.unwrap_or(f64::NAN),
         Test::Frequency | Test::Angle(_) => turned(place, test).unwrap_or(f64::NAN),
-        Test::Switches => {
-            if place.local.facts.switches == a.local.facts.switches {
-                1.0
-            } else {
-                -1.0
-            }
-        }
+        // located by itself
+        Test::Switches => f64::NAN,
         Test::Count => {
             if place.signs.outside == a.signs.outside {
                 1.0

@@ -26,6 +26,7 @@ mod places;
 mod relay;
 mod signs;
 mod switching;
+mod touching;
 mod turning;
 mod zeros;
 

@@ -6,14 +6,22 @@
 //! ```
 
 use super::collocation::Collocation;
-use super::ground::{Ground, not_the_period, not_the_turn, period_at};
+use super::ground::{Ground, not_the_period, not_the_turn, passes_the_start, period_at};
 use super::zeros::{Facts, Family, Finer, Local, Place, Sort, Zeros};
 use crate::Fault;
 use crate::studies::periodic::{Multiplier, Shooting, Turned, Varied};
 use crate::studies::stability::{Verdict, verdict};
+use algebra::vectors::norm;
 
 /// Step of the parameter for derivatives, as a share of its range: turns are known to some fourteen digits, and half of that is the best of a difference.
 const STEP: f64 = 1e-7;
+
+/// The same where something switches, of both sides.
+const NEARER: [f64; 5] = [STEP, 1e-8, 1e-9, 1e-10, 1e-11];
+/// Share by which the changes of both sides may differ: its square is the error of their mean.
+const STRAIGHT: f64 = 1e-3;
+/// What a turn is known to, in scales.
+const ROUNDING: f64 = 1e-14;
 
 /// Periodic motions of a machine along its parameter.
 pub(super) struct Orbits<'f, 'o> {
@@ -71,6 +79,42 @@ impl<'o> Orbits<'_, 'o> {
         let y = self.seated(y)?;
         let turned = self.turn(&y)?;
         Ok(missed(&turned, &y, near))
+    }
+
+    /// Change of R with the parameter, over its range. By one difference ahead; where something switches, and the motion beside it may switch otherwise or not at all, by
+    /// one over both sides, so near that they differ little from each other.
+    fn slope(&mut self, y: &[f64], here: &[f64], local: &Local) -> Result<Vec<f64>, Fault> {
+        let mut beside = |step: f64| {
+            let mut there = y.to_vec();
+            there[y.len() - 1] += step * self.range;
+            self.off(&there, local)
+        };
+        if local.facts.switches.is_empty() {
+            let ahead = beside(STEP)?;
+            return Ok(here.iter().zip(&ahead).map(|(here, ahead)| (ahead - here) / STEP).collect());
+        }
+        let (mut best, mut failed) = (None, None);
+        for step in NEARER {
+            let [before, behind] = match (beside(-step), beside(step)) {
+                (Ok(before), Ok(behind)) => [before, behind],
+                (Err(fault), _) | (_, Err(fault)) => {
+                    failed = Some(fault);
+                    continue;
+                }
+            };
+            let bent = norm(&here.iter().zip(before.iter().zip(&behind)).map(|(r, (a, b))| a - r + (b - r)).collect::<Vec<f64>>());
+            let way: Vec<f64> = before.iter().zip(&behind).map(|(a, b)| b - a).collect();
+            let share = bent / norm(&way);
+            // the error of the difference is about the square of this share of it, and what a turn is not known to
+            let error = share * share + ROUNDING / norm(&way);
+            if best.as_ref().is_none_or(|(least, _)| error < *least) {
+                best = Some((error, way.iter().map(|d| d / (2.0 * step)).collect()));
+            }
+            if share.is_nan() || share <= STRAIGHT {
+                break;
+            }
+        }
+        best.map(|(_, slope)| slope).ok_or_else(|| failed.unwrap_or_else(not_the_turn))
     }
 
     /// y with its start on the conditions that hold at its parameter: the rate of a crank that turns by w t is another one at another w.
@@ -167,10 +211,11 @@ impl Zeros for Orbits<'_, '_> {
         turned.rescale(self.shooting.scales());
         let (machine, _) = self.family.at(y[last])?;
         let varied = self.shooting.vary(machine, &mut turned)?;
+        let slowest = turned.slowest(machine)?;
         let scales = self.scales();
         let missed_by = missed_in(&turned, &varied.states, &scales);
         if varied.off > SAME + missed_by {
-            return Err(not_the_turn());
+            return Err(if turned.holds_on() { not_the_turn() } else { passes_the_start() });
         }
         let mut basis = directions(&varied, &scales, y.len());
         basis.pop();
@@ -191,16 +236,15 @@ impl Zeros for Orbits<'_, '_> {
             multipliers,
             energy: None,
             switches: turned.switches(),
+            slowest,
+            edge: turned.edge(),
             miss: 0.0,
             liouville: varied.liouville,
             ..Facts::default()
         };
         let mut local = Local { scales, jacobian: Vec::new(), residual: Vec::new(), basis, states: varied.states.clone(), phase, facts };
         let here = missed(&turned, y, &local);
-        let mut there = y.to_vec();
-        there[last] += STEP * self.range;
-        let there = self.off(&there, &local)?;
-        let by_parameter: Vec<f64> = here.iter().zip(&there).map(|(here, there)| (there - here) / STEP).collect();
+        let by_parameter = self.slope(y, &here, &local)?;
         local.jacobian = jacobian(&varied, &local, &by_parameter);
         local.residual = here;
         Ok(local)

@@ -5,6 +5,7 @@
 //!                      | t' |
 //! period doubling      (Φ + 1) v = 0       x = x* + ε v over two periods
 //! Hopf point           A v = i ω v         x = x* + ε Re v, T = 2π/ω
+//! grazing              J' v = 0            v of the equations on the other side of the switch that is touched
 //! ```
 //!
 //! The first point of a new branch is sought in the plane y = y* + ε v + ..., across v, with derivatives taken at its guess: at the point itself they say nothing.
@@ -52,7 +53,7 @@ pub(super) fn at_branch_points(zeros: &mut dyn Zeros, mut k: usize, options: &Op
 /// *Errors*: those of eigenvalues.
 pub(super) fn of_orbits(orbits: &mut Orbits<'_, '_>, mut k: usize, options: &Options<'_>, diagram: &mut Diagram) {
     while k < diagram.special.len() {
-        let (which, _, special) = diagram.special[k].clone();
+        let (which, behind, special) = diagram.special[k].clone();
         let Of::Orbits(periods) = diagram.curves[which].of else {
             k += 1;
             continue;
@@ -62,6 +63,11 @@ pub(super) fn of_orbits(orbits: &mut Orbits<'_, '_>, mut k: usize, options: &Opt
             // located by collocation: shooting has no equations there
             What::Branch | What::Doubling if special.place.local.jacobian.is_empty() => diagram.unmet += 1,
             What::Branch => both_ways(orbits, (k, &special), Of::Orbits(periods), (options, diagram)),
+            What::Grazing if diagram.curves[which].grazes_at(behind) => {
+                if let Some(v) = other_side(orbits, &special) {
+                    part(orbits, (k, &special), &[v.clone(), turned(&v, -1.0)], Of::Orbits(periods), (options, diagram));
+                }
+            }
             What::Doubling if 2 * periods.max(1) > DEEPEST => diagram.deeper += 1,
             What::Doubling => {
                 let mut doubled = special.clone();
@@ -184,7 +190,19 @@ fn first(zeros: &mut dyn Zeros, special: &Special, v: &[f64], away: f64) -> Resu
     if origin.dot(&off, &off).sqrt() > BESIDE * away || same {
         return Ok(None);
     }
-    corrector::place(zeros, found.y, v)
+    let found = corrector::place(zeros, found.y, v)?;
+    Ok(found.filter(|found| special.what != What::Grazing || found.local.facts.switches != origin.local.facts.switches))
+}
+
+/// The direction of the branch on the other side of a switch that is touched, of unit length in scales; none where there is no motion.
+fn other_side(zeros: &mut dyn Zeros, special: &Special) -> Option<Vec<f64>> {
+    let origin = &special.place;
+    let beyond = |away: f64| -> Vec<f64> { origin.y.iter().zip(&origin.tangent).map(|(y, t)| y + away * t).collect() };
+    AWAY.into_iter().find_map(|away| {
+        let y = beyond(away);
+        let local = zeros.local(&y).ok().filter(|local| local.facts.switches != origin.local.facts.switches)?;
+        corrector::on(local, y, &origin.tangent, zeros).map(|place| place.tangent)
+    })
 }
 
 /// A solution of A v = r of unit length: of an all but singular A the direction that it takes away.

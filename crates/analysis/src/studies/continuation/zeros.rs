@@ -1,6 +1,6 @@
 //! What is followed: equations R(y) = 0 with one unknown more than there are equations, the last unknown being the parameter.
 
-use crate::studies::periodic::Multiplier;
+use crate::studies::periodic::{Meeting, Multiplier};
 use crate::{Fault, Machine};
 
 /// A machine whose parameter can be given values.
@@ -29,6 +29,10 @@ pub struct Facts {
     pub energy: Option<f64>,
     /// The guards that switch in a period.
     pub switches: Vec<usize>,
+    /// How near to the ends of the period something switches, as a share of it; none where nothing does.
+    pub(super) edge: Option<f64>,
+    /// The guard that is met most slowly in a period; none where all instants of switches are fixed.
+    pub(in crate::studies) slowest: Option<Meeting>,
     /// Newton's next correction of the point, in scales.
     pub miss: f64,
     /// By how much Liouville's formula is missed.

@@ -188,9 +188,17 @@ impl Found<'_> {
         free.max(self.off(gap))
     }
 
-    /// The largest part of a gap, in scales, that does not follow from what can be chosen: whole turns of angles in mesh that the laws feel.
+    /// The largest part of a gap, in scales, that does not follow from what can be chosen: whole turns of angles in mesh that the laws feel; and, where what holds at the start does not hold at the end
+    /// (a friction that sticks, a closed contact), the rates that followed from it.
     pub(super) fn off(&self, gap: &[f64]) -> f64 {
-        let followed = if self.free.len() < gap.len() { self.coordinates } else { 0 };
+        let [begin, end] = &self.orbit.modes;
+        let held = |mode: &Mode| *mode == Mode::Zero;
+        let same = begin.iter().map(held).eq(end.iter().map(held));
+        let followed = match (self.free.len() < gap.len(), same) {
+            (false, _) => 0,
+            (true, true) => self.coordinates,
+            (true, false) => 2 * self.coordinates,
+        };
         (0..followed).map(|i| (gap[i] - self.linear(gap, i)).abs() / self.scales[i]).fold(0.0, f64::max)
     }
 

@@ -11,7 +11,7 @@
 
 use super::listener::Listener;
 use super::orbit::{Jump, Orbit};
-use super::slopes::{by_time, derivative, slopes};
+use super::slopes::{by_time, in_piece, slopes};
 use super::square::Square;
 use super::variation::{self, Care, Chain, Stretch};
 use crate::integrate::crossings::{Change, Switch};
@@ -74,7 +74,7 @@ pub(super) fn of_orbit<S: System + ?Sized>(
         from = to;
         let Some(jump) = jump else { break };
         match saltation(system, jump, (scales, orbit.period))? {
-            Saltation::Matrix(mut scaled, mut terms) => {
+            Saltation::Matrix { map: mut scaled, mut terms, error } => {
                 scaled.scale(&balanced);
                 terms.scale(&balanced);
                 let size = scaled.determinant().abs();
@@ -82,7 +82,8 @@ pub(super) fn of_orbit<S: System + ?Sized>(
                 let takes = size.is_nan() || size <= SINGULAR * terms.hadamard();
                 singular |= takes;
                 log_determinant = log_determinant.filter(|_| !takes).map(|l| l + elementary::ln(size));
-                chain.push(scaled, 0.0);
+                let error = error * scaled.norm();
+                chain.push(scaled, error);
             }
             Saltation::Undefined(undefined) => blur = undefined,
         }
@@ -100,8 +101,12 @@ pub(super) fn rates<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], modes
 
 /// Derivative of the state after a switch by the state before it.
 enum Saltation {
-    /// The matrix, and the magnitudes of the terms that met in its entries.
-    Matrix(Square, Square),
+    /// The matrix, the magnitudes of the terms that met in its entries, and the share of them by which it may err.
+    Matrix {
+        map: Square,
+        terms: Square,
+        error: f64,
+    },
     Undefined(Blur),
 }
 
@@ -111,6 +116,8 @@ const SINGULAR: f64 = 1e-12;
 const CAUSE: f64 = 1e-7;
 /// Scales of a state that it passes in a period at most: what is carried along with the frame of the motion stands still in it, and has no scale of its own.
 const QUICKEST: f64 = 1e4;
+/// Share of its terms to which a guard is zero where it is met.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
 /// Surfaces whose normals differ by more than this are two.
 const PARALLEL: f64 = 1e-7;
 
@@ -123,19 +130,21 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, (scales, period): 
         return Ok(Saltation::Undefined(Blur::Jolt));
     }
     let closing: Vec<usize> = jump.switches.iter().filter(|s| closes(system, s)).map(|s| s.guard).collect();
-    let (map, map_rate) = reset(system, jump, &closing, (scales, period))?;
+    let Some((map, map_rate)) = reset(system, jump, &closing, (scales, period))? else { return Ok(Saltation::Undefined(Blur::Corner)) };
     let surfaces: Vec<usize> = jump.switches.iter().filter_map(|s| surface(system, s)).collect();
     let modes = &jump.modes[0];
     let mut rows = Vec::new();
     slopes(system, (jump.t, &jump.before), modes, scales, &mut rows)?;
     let before = rates(system, jump.t, &jump.before, modes)?;
-    let values: Vec<f64> = surfaces.iter().map(|s| system.guard(*s).first().copied().unwrap_or(0.0)).collect();
+    system.expand(jump.t, &jump.before, modes, 2)?;
+    let values: Vec<[f64; 2]> = surfaces.iter().map(|s| [0, 2].map(|k| system.guard(*s).get(k).copied().unwrap_or(0.0))).collect();
     let after = rates(system, jump.t, &jump.then, &jump.modes[1])?;
     let quick = |(f, s): (&f64, &f64)| (f / s).abs().min(QUICKEST / period);
     let fastest = before.iter().zip(scales).map(quick).fold(0.0, f64::max);
     // instant of the switch by the state before it: dt = -(grad g . dx)/(dg/dt)
     let mut later: Option<Vec<f64>> = None;
-    for (surface, value) in surfaces.into_iter().zip(values) {
+    let mut error: f64 = 0.0;
+    for (surface, [value, bend]) in surfaces.into_iter().zip(values) {
         let row = &rows[(n + surface) * (n + 1)..(n + surface + 1) * (n + 1)];
         let size: f64 = row[..n].iter().zip(scales).map(|(g, s)| (g * s).abs()).sum();
         if size == 0.0 || value.abs() > CAUSE * size {
@@ -147,6 +156,8 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, (scales, period): 
         if speed.is_nan() || speed.abs() <= 1e-9 * size * fastest {
             return Ok(Saltation::Undefined(Blur::Grazing));
         }
+        // where a guard is rounding is when it is met rounding over its rate, and the rate changes by its bend meanwhile
+        error = error.max(2.0 * bend.abs() * ROUNDED * size / (speed * speed));
         let own: Vec<f64> = row[..n].iter().map(|g| -g / speed).collect();
         let differs = |other: &Vec<f64>| {
             let entries = own.iter().zip(other).zip(scales);
@@ -160,7 +171,7 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, (scales, period): 
     }
     let mut terms = map.clone();
     terms.values.iter_mut().for_each(|v| *v = v.abs());
-    let Some(later) = later else { return Ok(Saltation::Matrix(map, terms)) };
+    let Some(later) = later else { return Ok(Saltation::Matrix { map, terms, error }) };
     let carried = map.apply(&before);
     let mut matrix = map;
     for i in 0..n {
@@ -171,7 +182,7 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, (scales, period): 
             terms.values[i * n + j] += met * dt.abs();
         }
     }
-    Ok(Saltation::Matrix(matrix, terms))
+    Ok(Saltation::Matrix { map: matrix, terms, error })
 }
 
 fn closes<S: System + ?Sized>(system: &S, switch: &Switch) -> bool {
@@ -196,25 +207,52 @@ fn surface<S: System + ?Sized>(system: &S, switch: &Switch) -> Option<usize> {
     }
 }
 
-/// What an impact does to the state, linearised: derivative by the state and by time.
+/// How a guard is met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::studies) struct Meeting {
+    /// Its number.
+    pub(in crate::studies) guard: usize,
+    /// Magnitude of its rate, in its unit per second.
+    pub(in crate::studies) rate: f64,
+    /// By what share of itself the rate changes where the states do by a share of their scales, per that share: it is the root of how far the guard is passed.
+    pub(in crate::studies) unsure: f64,
+}
+
+/// The guards whose zero is the instant of a jump.
+pub(super) fn met<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) -> Result<Vec<Meeting>, Fault> {
+    let n = jump.before.len();
+    let surfaces: Vec<usize> = jump.switches.iter().filter_map(|s| surface(system, s)).collect();
+    let mut rows = Vec::new();
+    slopes(system, (jump.t, &jump.before), &jump.modes[0], scales, &mut rows)?;
+    system.expand(jump.t, &jump.before, &jump.modes[0], 2)?;
+    let meeting = |guard: usize| {
+        let (rate, bend) = system.guard(guard).get(1).zip(system.guard(guard).get(2))?;
+        let row = &rows[(n + guard) * (n + 1)..][..n];
+        let size: f64 = row.iter().zip(scales).map(|(g, s)| (g * s).abs()).sum();
+        Some(Meeting { guard, rate: rate.abs(), unsure: 2.0 * bend.abs() * size / (rate * rate) })
+    };
+    Ok(surfaces.into_iter().filter_map(meeting).collect())
+}
+
+/// What an impact does to the state, linearised: derivative by the state and by time; none where something else would happen right beside it.
 fn reset<S: System + ?Sized>(
     system: &mut S,
     jump: &Jump,
     closing: &[usize],
     (scales, period): (&[f64], f64),
-) -> Result<(Square, Vec<f64>), Fault> {
+) -> Result<Option<(Square, Vec<f64>)>, Fault> {
     let n = jump.before.len();
     // what changes by rounding does not jump
     let moved = jump.before.iter().zip(&jump.then).zip(scales).any(|((a, b), s)| (a - b).abs() > 1e-9 * s);
     if closing.is_empty() || !moved {
-        return Ok((Square::identity(n), vec![0.0; n]));
+        return Ok(Some((Square::identity(n), vec![0.0; n])));
     }
     let mut hit = |t: f64, x: &[f64]| {
         let mut x = x.to_vec();
         system.impact(t, &mut x, &jump.modes[0], closing)?;
         Ok(x)
     };
-    let rows = derivative(&jump.before, scales, |x| hit(jump.t, x))?;
+    let Some(rows) = in_piece(&jump.before, scales, |x| hit(jump.t, x))? else { return Ok(None) };
     let rates = by_time(jump.t, period, |t| hit(t, &jump.before))?;
-    Ok((Square { n, values: rows.concat() }, rates))
+    Ok(Some((Square { n, values: rows.concat() }, rates)))
 }

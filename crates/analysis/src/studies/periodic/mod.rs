@@ -32,6 +32,7 @@ mod variation;
 mod verdict;
 
 pub use faults::section_of_forced;
+pub(in crate::studies) use fundamental::Meeting;
 pub use listener::{Listener, Stage};
 pub use options::{Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};

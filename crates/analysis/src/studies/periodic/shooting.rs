@@ -2,7 +2,7 @@
 //! itself, and what becomes of small changes of it.
 
 use super::found::{Found, tangent};
-use super::fundamental::{self, Blur};
+use super::fundamental::{self, Blur, Meeting};
 use super::newton;
 use super::options::{Multiplier, Periodic};
 use super::orbit::{Limit, Orbit, Section, follow};
@@ -341,6 +341,34 @@ impl Turned<'_> {
         let mut list: Vec<usize> = self.0.orbit.jumps.iter().flat_map(|jump| jump.switches.iter().map(|s| s.guard)).collect();
         list.sort_unstable();
         list
+    }
+
+    /// The guard that is met most slowly; none where all instants of switches are fixed.
+    ///
+    /// *Errors*: those of the equations.
+    pub(in crate::studies) fn slowest<S: System + ?Sized>(&self, system: &mut S) -> Result<Option<Meeting>, Fault> {
+        let mut slowest: Option<Meeting> = None;
+        for jump in &self.0.orbit.jumps {
+            for meeting in fundamental::met(system, jump, &self.0.scales)? {
+                if slowest.is_none_or(|least| meeting.rate < least.rate) {
+                    slowest = Some(meeting);
+                }
+            }
+        }
+        Ok(slowest)
+    }
+
+    /// How near to its ends something switches, as a share of the period; none where nothing does.
+    pub(in crate::studies) fn edge(&self) -> Option<f64> {
+        let period = self.0.orbit.period;
+        self.0.orbit.jumps.iter().map(|jump| jump.t.min(period - jump.t).abs() / period).min_by(f64::total_cmp)
+    }
+
+    /// Whether what holds at its start holds at its end: sticking frictions, closed contacts.
+    pub(in crate::studies) fn holds_on(&self) -> bool {
+        let [begin, end] = &self.0.orbit.modes;
+        let held = |mode: &Mode| *mode == Mode::Zero;
+        begin.iter().map(held).eq(end.iter().map(held))
     }
 
     /// Whether the laws repeat after the turn.

@@ -12,6 +12,7 @@ use crate::integrate::taylor::{Options as Tolerances, check_tolerance};
 use crate::studies::periodic::{CORRECTS, Listener, Look, Piece, Stage, piece, tangent_of};
 use crate::{Fault, Guard, GuardKind, Mode, System};
 use algebra::elementary;
+use algebra::random::Random;
 use algebra::vectors::{dot, norm};
 
 /// Share of the time in which a disturbance turns into the direction that grows most: nothing counts before.
@@ -34,6 +35,9 @@ const GROWN: f64 = 11.5;
 const AGAIN: usize = 2;
 /// Exponents that are further apart than this in a piece, as powers of e, drown in the rounding of its matrix.
 const DROWNED: f64 = 25.0;
+
+/// Where the numbers begin that mix directions; any do.
+const SEED: u64 = 5;
 
 /// What is asked.
 #[derive(Clone, Copy)]
@@ -165,7 +169,7 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
             let free = frame.free(system, (t, &x, &next.modes), &next.scales)?;
             frame.onto(&free);
             match t < counts {
-                true => extend(&mut frame.columns, free),
+                true => frame.take(free),
                 false => openings.seen(t, (free.len(), frame.columns.len())),
             }
         }
@@ -180,6 +184,8 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
     found.opened = openings.first.filter(|_| openings.count < AGAIN);
     let known = stretches.iter().map(|s| s.logs.len()).min().unwrap_or(0);
     found.exponents = (0..known).map_while(|k| rate(&stretches, k, (counts, end))).collect();
+    // equal ones come in the order of their spread
+    found.exponents.sort_by(|a, b| b.value.total_cmp(&a.value));
     let (mut sum, mut time) = (0.0, 0.0);
     for stretch in stretches.iter().filter(|s| !s.logs.is_empty()) {
         sum += stretch.logs[0];
@@ -277,6 +283,28 @@ impl Frame {
             without(&mut off, &basis);
             column.iter_mut().zip(off).for_each(|(c, off)| *c -= off);
         }
+    }
+
+    /// Takes directions that are free and not followed yet, and mixes all of them. The first disturbance finds what grows most only if it has a part in every direction: in a machine that falls
+    /// apart into pieces one along a coordinate would stay in its own piece for ever.
+    fn take(&mut self, free: Vec<Vec<f64>>) {
+        let before = self.columns.len();
+        extend(&mut self.columns, free);
+        let k = self.columns.len();
+        if k == before {
+            return;
+        }
+        let mut random = Random::new(SEED);
+        let mixed = |_| {
+            let mut sum = vec![0.0; self.scales.len()];
+            for column in &self.columns {
+                let share = random.between(-1.0, 1.0);
+                sum.iter_mut().zip(column).for_each(|(s, c)| *s += share * c);
+            }
+            sum
+        };
+        self.columns = (0..k).map(mixed).collect();
+        self.orthonormal();
     }
 
     /// The disturbances at the end of a piece, and the logarithms of their growth. What a switch takes away is no more.

@@ -14,13 +14,13 @@
 
 use crate::connections::common::axes::axes_of;
 use crate::connections::common::component::{Component, Nature, Rubbing, effort, path};
-use crate::connections::common::{faults, tracks};
+use crate::connections::common::{faults, held, tracks};
 use crate::model::{Aim, Axis, Connection, ConnectionKind, FrameId, Part, Pathway, PointRef, Pressing, Slides};
 use crate::scene::kinematics::{Kinematics, combine};
 use crate::scene::pathways::{Path, relative_angle, unit_vector};
 use crate::scene::requests::Resolver;
 use crate::scene::start::near_start;
-use crate::scene::wrench::{Act, carrier, frame_of, particle};
+use crate::scene::wrench::{Act, frame_of, particle};
 use crate::scene::{Found, Scene, Vector, is_spatial};
 use symbolic::{Expr, Function, Rational};
 use words::Text;
@@ -283,7 +283,7 @@ fn rolls(
     Ok(Sliding { rate, acts, words: ("rolling resistance", "трение качения"), letter: "M", unit: "N m", normal })
 }
 
-/// The second body turns on the first; a body on what it stands on.
+/// The second body turns on the first; a body on what its support holds it to.
 fn journal(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
@@ -295,9 +295,10 @@ fn journal(
     }
     let bodies = match &scene.model.connections[of].kind {
         ConnectionKind::Pin { between, .. } => between.map(|p| frame_of(scene, p)),
-        ConnectionKind::Support { at, .. } => {
-            let body = frame_of(scene, *at);
-            [carrier(scene.model, body), body]
+        // the journal is part of what gets the opposite of the force
+        ConnectionKind::Support { at, on, .. } => {
+            let support = &scene.model.connections[of];
+            [on.map_or_else(|| held::at_place(scene, support, *at), Ok)?, frame_of(scene, *at)]
         }
         _ => return Err(faults::unpressed(connection)),
     };
