@@ -208,8 +208,32 @@ fn page(document: &Document) -> Vec<u8> {
 ///
 /// # Errors
 /// A file would replace an input (C052), or the disk refuses (C005).
+/// Or the table of answers has been filled in since (C052).
 pub fn write(course: &Course, folder: &Path, inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Box<Notice>> {
+    for (name, ..) in course.files.iter().filter(|(name, what, _)| *what == Word::AnswerSheet && is_filled(&folder.join(name))) {
+        return Err(Box::new(answers_kept(&folder.join(name))));
+    }
     put(&course.files, folder, inputs)
+}
+
+/// Whether a table of answers holds any: something stands in a row behind the name and the variant.
+fn is_filled(path: &Path) -> bool {
+    let Ok(bytes) = std::fs::read(path) else { return false };
+    let text = decoded(&bytes);
+    let mut rows = text.lines().filter(|line| !line.trim_start_matches('\u{feff}').starts_with('#'));
+    let separator = if rows.next().is_some_and(|heads| heads.contains(';')) { ';' } else { ',' };
+    rows.any(|row| cells(row, separator).iter().skip(2).any(|cell| !cell.trim().is_empty()))
+}
+
+fn answers_kept(path: &Path) -> Notice {
+    let path = path.display();
+    Notice::new(
+        "C052",
+        format!("`{path}` has been filled in; nothing was written"),
+        format!("таблица `{path}` уже заполнена; ничего не записано"),
+    )
+    .why("an empty one would take its place", "её заменила бы пустая таблица")
+    .help("choose another folder with --out, or move the table", "укажите другую папку ключом --out или переместите таблицу")
 }
 
 fn put(files: &[(String, Word, Vec<u8>)], folder: &Path, inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Box<Notice>> {

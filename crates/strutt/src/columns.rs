@@ -5,6 +5,7 @@
 use crate::system;
 use mechanics::variants::cells;
 use std::fs;
+use std::path::PathBuf;
 use studies::Failure;
 use studies::failure::Misuse;
 use words::{Notice, Text};
@@ -44,6 +45,11 @@ pub fn expanded(range: &str) -> Result<String, Failure> {
         return Err(refused((format!("`{file}` has no rows"), format!("в `{file}` нет строк"))));
     }
     Ok(format!("{name}={}", values.join("; ")))
+}
+
+/// The file that a range takes its values from; none of other ranges.
+pub fn table(range: &str) -> Option<PathBuf> {
+    named(range).map(|(_, file, _)| file.into())
 }
 
 /// `m=column("masses.csv","m")`: what is changed, the file, the column.

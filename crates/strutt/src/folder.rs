@@ -17,12 +17,17 @@ use words::{Language, Notice, Printed};
 /// How the page of a folder is written where nobody says otherwise.
 pub const PAGE: Format = report::formats::html::FORMAT;
 
-/// Writes everything about a calculation into a folder, its page in a format; returns the paths, the page last.
+/// Writes everything about a calculation, which has taken values from some tables as well, into a folder, its page in a format; returns the paths, the page last.
 ///
 /// # Errors
 /// A result would replace an input (C052), or the disk refuses (C005); then nothing is written.
-pub fn write(calculation: &mut Calculation, folder: &Path, (format, language): (Format, Language)) -> Result<Vec<PathBuf>, Box<Notice>> {
-    let inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
+pub fn write(
+    calculation: &mut Calculation,
+    (folder, read): (&Path, &[PathBuf]),
+    (format, language): (Format, Language),
+) -> Result<Vec<PathBuf>, Box<Notice>> {
+    let mut inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
+    inputs.extend_from_slice(read);
     let mut shelf = Shelf::open(folder, &inputs)?;
     let several = calculation.results.len() > 1;
     for (i, results) in calculation.results.iter().enumerate() {

@@ -225,6 +225,12 @@ impl<'a> Line<'a> {
         Ok(Some(text))
     }
 
+    /// The tables that values are taken from.
+    pub fn tables(&self) -> Vec<PathBuf> {
+        let ranges = self.given().into_iter().filter(|key| matches!(key.takes, Takes::Ranges));
+        ranges.flat_map(|key| self.texts(key).unwrap_or_default()).filter_map(|text| columns::table(&text)).collect()
+    }
+
     /// The values in place of those of the file; `of` is the study they are for.
     ///
     /// # Errors

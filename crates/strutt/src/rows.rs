@@ -113,10 +113,13 @@ fn there(path: &Path) -> Notice {
     let path = path.display();
     Notice::new(
         "C074",
-        format!("`{path}` holds rows of a run that was not finished"),
-        format!("в `{path}` лежат строки незаконченного запуска"),
+        format!("`{path}` holds rows of an earlier run: one that was not finished, or a part of several (--shard)"),
+        format!("в `{path}` лежат строки прежнего запуска: незаконченного или одной из частей (--shard)"),
     )
-    .help("go on with --resume, or choose another folder with --out", "продолжите с ключом --resume или укажите другую папку ключом --out")
+    .help(
+        "go on with --resume, join the parts with `strutt merge`, or choose another folder with --out",
+        "продолжите с ключом --resume, соедините части командой `strutt merge` или укажите другую папку ключом --out",
+    )
 }
 
 fn busy(path: &Path) -> Notice {

@@ -49,7 +49,7 @@ fn card(example: &Example, (shelf, out): (&mut Shelf, &Path), language: Language
     let mut calculation = pipeline::run(&source, &[], &mut Watch::default())?;
     let (picture, still) = pictures(&calculation, language);
     let folder = out.join(example.name);
-    folder::write(&mut calculation, &folder, (folder::PAGE, language))?;
+    folder::write(&mut calculation, (&folder, &[]), (folder::PAGE, language))?;
     let put = |shelf: &mut Shelf, end: &str, svg: Option<String>| -> Result<Option<String>, Box<Notice>> {
         svg.map(|svg| shelf.put(&format!("{}{end}.svg", example.name), Word::Thumbnail, svg.as_bytes())).transpose()
     };

@@ -212,8 +212,9 @@ fn listed(data: &Dataset) -> Value {
             out["growth"] = json!(growth);
             out["negative_directions"] = json!(negative);
             out["stable_by_energy"] = if negative.is_nan() { Value::Null } else { json!(negative == 0.0) };
-            // growth in 1/s: a double root at zero is split by rounding, what grows in thirty years does not grow
-            out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
+            // growth in 1/s: a double root at zero is split by rounding, and what grows in thirty years does not grow where nothing else says that it does
+            let grows = growth > if at("stable", row) == 0.0 { 0.0 } else { 1e-9 };
+            out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(!grows) };
         }
         out
     };

@@ -22,9 +22,11 @@ impl Source {
         let path = Path::new(&self.path);
         let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
         let folder = path.parent().and_then(Path::file_name).map(|s| s.to_string_lossy().into_owned());
+        // the stem of `...toml` is a folder's name for the one above
+        let is_name = !stem.chars().all(|c| c == '.');
         match folder {
             Some(folder) if stem == "model" => folder,
-            _ if stem.is_empty() => "model".into(),
+            _ if !is_name => "model".into(),
             _ => stem,
         }
     }

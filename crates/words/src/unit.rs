@@ -32,10 +32,36 @@ pub const NAMES: &[(&str, &str, &str)] = &[
     ("F", "F", "Ф"),
     ("H", "H", "Гн"),
     ("Wb", "Wb", "Вб"),
+    ("T", "T", "Тл"),
+    ("Ω", "Ω", "Ом"),
+    ("sec", "s", "с"),
+    ("day", "d", "сут"),
+    ("d", "d", "сут"),
+    ("arcmin", "′", "′"),
+    ("arcsec", "″", "″"),
+    ("turn", "rev", "об"),
+    ("r", "rev", "об"),
+    ("l", "l", "л"),
+    ("L", "l", "л"),
+    ("atm", "atm", "атм"),
+    ("mmHg", "mmHg", "мм рт. ст."),
+    ("psi", "psi", "фунт-сила/дюйм²"),
+    ("kgf", "kgf", "кгс"),
+    ("gf", "gf", "гс"),
+    ("tf", "tf", "тс"),
+    // 745.7 W and 735.5 W: the Russian one is the second
+    ("hp", "hp", "брит. л.с."),
+    ("PS", "PS", "л.с."),
+    ("in", "in", "дюйм"),
+    ("ft", "ft", "фут"),
+    ("lb", "lb", "фунт"),
+    ("lbf", "lbf", "фунт-сила"),
 ];
 
 /// SI prefixes: ASCII, English print, Russian print, power of ten.
 pub const PREFIXES: &[(&str, &str, &str, i32)] = &[
+    ("da", "da", "да", 1),
+    ("h", "h", "г", 2),
     ("T", "T", "Т", 12),
     ("G", "G", "Г", 9),
     ("M", "M", "М", 6),
@@ -45,8 +71,10 @@ pub const PREFIXES: &[(&str, &str, &str, i32)] = &[
     ("m", "m", "м", -3),
     ("u", "µ", "мк", -6),
     ("µ", "µ", "мк", -6),
+    ("μ", "µ", "мк", -6),
     ("n", "n", "н", -9),
     ("p", "p", "п", -12),
+    ("f", "f", "ф", -15),
 ];
 
 /// A unit name in print, with its prefix. What is not known is printed as it is.

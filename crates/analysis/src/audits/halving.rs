@@ -15,7 +15,7 @@ const SMALL: f64 = 1e-8;
 pub fn tolerance_halving(columns: &[Column], finer: &[Column], tolerance: f64) -> Audit {
     let of_unit = |unit: &str| columns.iter().filter(|c| c.quantity.unit == unit).map(|c| size(&c.values)).fold(own_size(unit), f64::max);
     let one = |(a, b): (&Column, &Column)| difference(&a.values, &b.values, SMALL * of_unit(&a.quantity.unit));
-    let worst = columns.iter().zip(finer).map(one).fold(0.0, f64::max);
+    let worst = super::worst(columns.iter().zip(finer).map(one));
     let name = Text::new("tolerance halving: largest relative difference", "половинная точность: наибольшее относительное расхождение");
     Audit::at_most("tolerance_halving", name, worst, (AMPLIFICATION * tolerance).max(super::LEAST))
 }
@@ -30,6 +30,8 @@ fn own_size(unit: &str) -> f64 {
 }
 
 fn difference(a: &[f64], b: &[f64], least: f64) -> f64 {
-    let gap = a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    // a value that both runs do not have is the same
+    let both = a.iter().zip(b).filter(|(x, y)| !(x.is_nan() && y.is_nan()));
+    let gap = super::worst(both.map(|(x, y)| (x - y).abs()));
     if gap == 0.0 { 0.0 } else { gap / size(a).max(least) }
 }

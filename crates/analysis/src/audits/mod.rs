@@ -31,6 +31,16 @@ const GROWN: f64 = 1e3;
 /// Share of the largest scale of a row so far below which no scale of that row is: where its terms pass through zero together nothing closes against them.
 const PASSING: f64 = 1e-3;
 
+/// The larger; what is no number stays one, so that an audit of it fails.
+pub fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
+/// The largest deviation of an audit; none is 0, and what is no number stays.
+pub fn worst(deviations: impl IntoIterator<Item = f64>) -> f64 {
+    deviations.into_iter().fold(0.0, worse)
+}
+
 /// The limit of an audit of a motion of this tolerance.
 fn limit(tolerance: f64) -> f64 {
     (GROWN * tolerance).max(LEAST)

@@ -7,6 +7,7 @@
 use algebra::arrange::Arrange;
 use words::Text;
 
+use crate::audits::worst;
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::rest::newton::RESIDUAL;
 use crate::rest::search::{ONE, Rest, Search, Searched, Statics, nothing_between};
@@ -156,7 +157,7 @@ fn dataset(coordinates: &[Quantity], found: &[Rest], steps: usize) -> Dataset {
             "матрица жёсткости несимметрична: нагрузки неконсервативны, и заключение об устойчивости лишь ориентировочное",
         ));
     }
-    let worst = found.iter().map(|r| r.residual).fold(0.0, f64::max);
+    let worst = worst(found.iter().map(|r| r.residual));
     let name = Text::new("equilibrium: largest relative force", "равновесие: наибольшая относительная сила");
     let audits = if found.is_empty() { vec![] } else { vec![Audit::at_most("equilibrium", name, worst, RESIDUAL)] };
     let counters = vec![Counter {

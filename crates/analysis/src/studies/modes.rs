@@ -16,6 +16,7 @@ use algebra::elementary;
 use std::cmp::Ordering;
 use words::Text;
 
+use crate::audits::worse;
 use crate::audits::certified;
 use crate::dataset::Audit;
 use crate::linear::{Matrices, largest, parts};
@@ -279,8 +280,8 @@ fn orthogonality(system: &Matrices, stiffness: &[f64], list: &[Mode]) -> Audit {
         for i in 0..list.len() {
             for j in 0..i {
                 let scale = (sizes[i] * sizes[j]).sqrt();
-                if scale > 0.0 {
-                    worst = worst.max(product(&list[i], &list[j]).abs() / scale);
+                if scale != 0.0 {
+                    worst = worse(worst, product(&list[i], &list[j]).abs() / scale);
                 }
             }
         }
@@ -307,10 +308,10 @@ fn residual(system: &Matrices, list: &[Mode]) -> Audit {
                 let r = elementary::hypot(re, im);
                 terms += (r * r * m.abs() + r * b.abs() + c.abs()) * elementary::hypot(x.0, x.1);
             }
-            size = size.max(terms);
+            size = worse(size, terms);
         }
-        if size > 0.0 {
-            worst = sum.iter().fold(worst, |w, z| w.max(elementary::hypot(z.0, z.1) / size));
+        if size != 0.0 {
+            worst = sum.iter().fold(worst, |w, z| worse(w, elementary::hypot(z.0, z.1) / size));
         }
     }
     let name = Text::new("modes: residual of (λ² M + λ B + C) x = 0", "формы колебаний: невязка уравнения (λ² M + λ B + C) x = 0");

@@ -17,6 +17,7 @@ use algebra::arrange::Arrange;
 use algebra::elementary;
 use words::Text;
 
+use crate::audits::worse;
 use crate::dataset::Audit;
 use crate::fault::small::refused;
 use crate::linear::{Matrices, largest, parts};
@@ -348,8 +349,8 @@ fn residual(m: &Matrices, w: &[f64], p: usize, list: &[Mode]) -> Audit {
                 // a coordinate that only rounding moves counts with the size of the shape, in kinetic energy
                 terms += s * elementary::hypot(x.0, x.1).max(reach * unit(j));
             }
-            if terms > 0.0 {
-                worst = worst.max(elementary::hypot(sum.0, sum.1) / terms);
+            if terms != 0.0 {
+                worst = worse(worst, elementary::hypot(sum.0, sum.1) / terms);
             }
         };
         for c in 0..p {

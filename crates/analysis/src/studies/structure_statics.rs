@@ -1,6 +1,7 @@
 //! Statics of a frame or truss: reactions, forces in rods with their diagrams, displacements, degree of indeterminacy; the flexibility matrix
 //! by unit forces.
 
+use crate::audits::worst;
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::{Fault, Quantity};
 use algebra::arrange::Arrange;
@@ -282,7 +283,7 @@ fn point(frame: &Frame<f64>, place: &structures::Place<f64>) -> [f64; 2] {
 
 fn sections_agree(sections: &[Section], state: &Statics<f64>, assembly: &Assembly<f64>) -> Option<Audit> {
     let largest = sections.iter().map(|s| s.value.abs()).fold(0.0, f64::max);
-    let worst = sections.iter().map(|s| (s.value - state.normal(assembly, s.rod)).abs()).fold(0.0, f64::max);
+    let worst = worst(sections.iter().map(|s| (s.value - state.normal(assembly, s.rod)).abs()));
     let name = Text::new("method of sections against the others", "метод сечений в сравнении с методом вырезания узлов");
     // as above, two ways to one force
     (!sections.is_empty() && largest > 0.0).then(|| Audit::at_most("sections", name, worst / largest, 1e-9))
@@ -291,7 +292,7 @@ fn sections_agree(sections: &[Section], state: &Statics<f64>, assembly: &Assembl
 fn products_agree(flexibility: &Flexibility<f64>) -> Audit {
     let largest = flexibility.matrix.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let pairs = flexibility.matrix.iter().zip(&flexibility.displacements);
-    let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let worst = worst(pairs.map(|(a, b)| (a - b).abs()));
     let name = Text::new("products of diagrams against displacements", "перемножение эпюр в сравнении с перемещениями");
     // as above, two ways to one displacement
     Audit::at_most("flexibility", name, if largest > 0.0 { worst / largest } else { worst }, 1e-9)

@@ -12,6 +12,7 @@ use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
 use symbolic::Expr;
 use words::Notice;
+use words::digits::quantity;
 
 /// `[belts]`.
 pub(super) const ROW: Row = Row { keys: &KEYS, listed: ("belts", "ремни"), chapter: "reactions", within: &[], read, components };
@@ -57,12 +58,13 @@ fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Opti
 fn pretension<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Expr> {
     let value = fields.formula(reader, "pretension", &Context::CONSTANT, Some(&Dimension::FORCE))?;
     let Some(number) = reader.number(&value).filter(|v| *v < 0.0) else { return value.good.then_some(value.expr) };
+    let n = quantity(number, "N");
     reader.fault(
         Notice::piece(
             "M074",
             fields.span_of("pretension"),
-            format!("`pretension` is {number} N; it must not be negative"),
-            format!("`pretension` равно {number} Н; должно быть неотрицательным"),
+            format!("`pretension` is {}; it must not be negative", n.en),
+            format!("`pretension` равно {}; отрицательным быть не может", n.ru),
         )
         .why("the strands of a belt pull", "ветви ремня тянут"),
     );

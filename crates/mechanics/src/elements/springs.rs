@@ -5,10 +5,12 @@ use super::row::{Made, Row, Stands};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
+use crate::units::Dimension;
 use crate::reader::{Fields, Reader};
 use std::sync::Arc;
 use symbolic::{Edge, Expr, Graph, Rational};
 use words::Notice;
+use words::digits::quantity;
 
 /// `[springs]`.
 pub(super) const ROW: Row = Row {
@@ -144,7 +146,9 @@ fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> O
     let wanted = if let Kind::Known(d) = length { Some(d) } else { None };
     let value = fields.formula(reader, "backlash", &Context::TIME, wanted.as_ref())?;
     if let Some(number) = reader.number_for(&value, Reliance::Sign).filter(|v| *v < 0.0) {
-        let (en, ru) = (format!("the backlash is {number}; it is not negative"), format!("зазор равен {number}; он не отрицателен"));
+        let unit = if matches!(length, Kind::Known(d) if d == Dimension::ANGLE) { "rad" } else { "m" };
+        let n = quantity(number, unit);
+        let (en, ru) = (format!("the backlash is {}; it must not be negative", n.en), format!("зазор равен {}; отрицательным быть не может", n.ru));
         reader.fault(Notice::piece("M088", fields.span_of("backlash"), en, ru));
     } else if fields.has("preload") && !reader.builder.graph.is_zero(value.expr) {
         reader.fault(

@@ -9,6 +9,7 @@ use std::ops::Range;
 use symbolic::Expr;
 use toml::de::DeValue;
 use words::Notice;
+use words::digits::quantity;
 
 /// Keys that say what a part is.
 const SHAPES: [&str; 7] = ["rectangle", "triangle", "circle", "half_disc", "ring", "polygon", "profile"];
@@ -238,12 +239,13 @@ fn ring<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
     let [outer, inner] = lengths(reader, fields, "ring")?;
     let [a, b] = [outer, inner].map(|e| reader.values.of(&reader.builder.graph, e));
     if a <= b {
+        let [outside, inside] = [a, b].map(|radius| quantity(radius, "m"));
         reader.fault(
             Notice::piece(
                 "M300",
                 fields.span_of("ring"),
-                format!("the ring in {} has the outer radius {a} m and the inner one {b} m", fields.path),
-                format!("у кольца в {} наружный радиус {a} м, внутренний {b} м", fields.path).replace("0.", "0,"),
+                format!("the ring in {} has the outer radius {} and the inner one {}", fields.path, outside.en, inside.en),
+                format!("у кольца в {} наружный радиус {}, внутренний {}", fields.path, outside.ru, inside.ru),
             )
             .help("write the outer radius first: ring = [\"5 cm\", \"4 cm\"]", "наружный радиус пишут первым: ring = [\"5 см\", \"4 см\"]"),
         );

@@ -269,3 +269,26 @@ pub(super) fn nearest(name: &str) -> Option<String> {
 
 const LOOKALIKE_LATIN: &str = "acekmopxyABCEHKMOPTX";
 const LOOKALIKE_CYRILLIC: &str = "асекморхуАВСЕНКМОРТХ";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use words::Language;
+
+    #[test]
+    fn every_name_has_a_print_in_russian() {
+        let is_latin = |text: &str| text.chars().any(|c| c.is_ascii_alphabetic());
+        for row in ROWS {
+            for name in row.latin {
+                let alone = words::unit::print(name, Language::Ru);
+                assert!(!is_latin(&alone), "{name}: {alone}");
+                let prefixes = LATIN_PREFIXES.iter().filter(|_| row.prefixed);
+                for (prefix, power) in prefixes {
+                    let printed = words::unit::print(&format!("{prefix}{name}"), Language::Ru);
+                    assert!(!is_latin(&printed), "{prefix}{name}: {printed}");
+                    assert!(words::unit::PREFIXES.iter().any(|(label, .., p)| label == prefix && i64::from(*p) == *power), "{prefix}");
+                }
+            }
+        }
+    }
+}

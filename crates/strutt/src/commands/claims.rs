@@ -13,7 +13,7 @@ pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> 
     let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
     let finding = console.watched(|watch| claims::run(&mut machine, watch)).ok_or_else(none)?;
     let fails = finding.data.column("ok").is_some_and(|c| c.values.contains(&0.0));
-    let view = View { name: "claims", file: &args.model.file, out: None, events: false, switches: false };
+    let view = View { name: "claims", file: &args.model.file, out: None, tables: &[], events: false, switches: false };
     let exit = finish(machine, finding, &view, console)?;
     Ok(if args.strict && fails { exit.worse(Exit::Failed) } else { exit })
 }

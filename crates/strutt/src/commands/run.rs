@@ -22,7 +22,7 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     console.warn(&calculation.machine.warnings, &source);
     let out = args.out.clone().unwrap_or_else(|| Path::new("out").join(source.name()));
     let (language, page) = (console.language, console.page.unwrap_or(folder::PAGE));
-    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, &out, (page, language)))?;
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, (&out, &[]), (page, language)))?;
     let paths = if args.animate { animated(&calculation, (&out, paths), console)? } else { paths };
     show(&calculation, console)?;
     tell(&calculation, &paths, &args.model.file, console);

@@ -58,7 +58,9 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
         study.command(&mut machine, &asked, &mut watch.with_keeper(keeper))
     });
     let Some(results) = results else { return Ok(Exit::Done) };
+    let tables = line.tables();
     let view = View {
+        tables: &tables,
         name: study.kind().name,
         file: &model.file,
         out: out.as_deref(),
@@ -169,6 +171,8 @@ pub struct View<'a> {
     pub file: &'a str,
     /// Where the folder of results goes.
     pub out: Option<&'a Path>,
+    /// Tables that the command line takes values from.
+    pub tables: &'a [PathBuf],
     /// Rows at events.
     pub events: bool,
     /// Rows at switches.
@@ -200,16 +204,17 @@ pub fn finish(machine: Machine, results: Results, view: &View, console: &mut Con
         tell_checks(&results, console);
     }
     let exit = judge(&results, console);
-    if let Some(out) = view.out {
-        write(machine, results, out, console)?;
+    // what was refused before it found anything leaves an earlier result where it is
+    if let Some(out) = view.out.filter(|_| !is_nothing(&results)) {
+        write(machine, results, (out, view.tables), console)?;
     }
     Ok(exit)
 }
 
-fn write(machine: Machine, results: Results, out: &Path, console: &mut Console) -> Result<(), Failure> {
+fn write(machine: Machine, results: Results, (out, tables): (&Path, &[PathBuf]), console: &mut Console) -> Result<(), Failure> {
     let mut calculation = Calculation { machine, results: vec![results], files: Vec::new() };
     let (language, page) = (console.language, console.page.unwrap_or(folder::PAGE));
-    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, (page, language)))?;
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, (out, tables), (page, language)))?;
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("{}{list}", console.say(Word::Written)));
     Ok(())

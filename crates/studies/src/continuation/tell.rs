@@ -9,6 +9,7 @@ use crate::machine::Machine;
 use crate::periodic::{self, json_of};
 use crate::provenance;
 use crate::results::{Body, Fact, Results};
+use analysis::audits::worst;
 use analysis::dataset::{Audit, Column};
 use analysis::studies::continuation::{Crease, Curve, Diagram, Facts, ON_BRANCH, Of, Place, Special};
 use analysis::{Dataset, Quantity};
@@ -169,7 +170,7 @@ const LIOUVILLE: f64 = 1e-8;
 fn audits(diagram: &Diagram) -> Vec<Audit> {
     let creases = || diagram.creases.iter().map(|crease| &crease.curve);
     let facts = || diagram.curves.iter().chain(creases()).flat_map(|curve| &curve.places).map(Place::facts);
-    let most = |of: fn(&Facts) -> f64| facts().map(of).fold(0.0, f64::max);
+    let most = |of: fn(&Facts) -> f64| worst(facts().map(of));
     let name = Text::new("points lie on their branch: largest relative miss", "точки лежат на ветви: наибольшее относительное отклонение");
     let mut list = vec![Audit::at_most("on_branch", name, most(|f| f.miss), ON_BRANCH)];
     if diagram.curves.iter().any(|curve| curve.of != Of::Rest) {

@@ -3,6 +3,7 @@
 use super::asked::Cycle;
 use super::tried::{Tried, turned};
 use crate::machine::Machine;
+use words::digits::number;
 use words::{Notice, Text};
 
 /// Steps of the searches.
@@ -206,8 +207,8 @@ pub(super) fn flywheel(
     if (reached - wanted).abs() > 1e-8 * wanted {
         return Err(Notice::new(
             "S048",
-            format!("no value of `{name}` gives the irregularity {wanted}"),
-            format!("ни при каком значении `{name}` неравномерность хода не равна {wanted}"),
+            format!("no value of `{name}` gives the irregularity {}", number(wanted).en),
+            format!("ни при каком значении `{name}` неравномерность хода не равна {}", number(wanted).ru),
         ));
     }
     Ok((b, drive.map(|drive| drive.value)))

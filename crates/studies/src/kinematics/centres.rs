@@ -63,6 +63,15 @@ impl Centres {
     pub fn state(&self, data: &mut Dataset) {
         for body in self.bodies.iter().map(|(body, _)| body) {
             let own = [format!("P_x_{body}"), format!("P_y_{body}")];
+            // 0/0 beside a place at infinity is any number: a centre has both places or none
+            let rows = data.columns.first().map_or(0, |c| c.values.len());
+            for row in 0..rows {
+                let mut pair: Vec<&mut f64> =
+                    data.columns.iter_mut().filter(|c| own.contains(&c.quantity.name)).filter_map(|c| c.values.get_mut(row)).collect();
+                if pair.iter().any(|value| value.is_nan()) {
+                    pair.iter_mut().for_each(|value| **value = f64::NAN);
+                }
+            }
             let all = |c: &Column| own.contains(&c.quantity.name) && !c.values.is_empty() && c.values.iter().all(|v| v.is_nan());
             if data.columns.iter().any(all) {
                 data.keep_columns(|c| !own.contains(&c.quantity.name));

@@ -11,17 +11,26 @@ use symbolic::{Expr, Graph, Node, Rational, Substitution, SymbolId};
 const READABLE: usize = 90;
 /// States at which the equation is laid against those it came from.
 const STATES: u32 = 8;
+/// States that are tried for that: from each distance of the start as many.
+const TRIED: u32 = STATES * REACHES.len() as u32;
+/// Distances of the start, SI: formulas of places need not have a value a metre away.
+const REACHES: [f64; 5] = [1.0, 0.3, 0.1, 0.03, 0.01];
 /// Largest deviation there, a share of the largest term.
 const AGREES: f64 = 1e-9;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     let Some(reduced) = leading(work).and_then(|i| reduce(work.equations, i)) else { return };
-    let worst = (0..STATES).map(|k| deviation(work, &reduced, k)).fold(0.0_f64, |m, d| if d.is_nan() { m } else { m.max(d) });
-    if worst > AGREES {
+    // states at which a formula has no value say nothing
+    let found: Vec<f64> = (0..TRIED).map(|k| deviation(work, &reduced, k)).filter(|d| !d.is_nan()).take(STATES as usize).collect();
+    let worst = found.iter().copied().fold(0.0, f64::max);
+    if found.len() < STATES as usize || worst > AGREES {
         return;
     }
-    let title =
-        work.language.pick("Equation of the machine with its reduced inertia", "Уравнение движения машины с приведённым моментом инерции");
+    let title = if work.equations.coordinates[reduced.leading].unit == "rad" {
+        work.language.pick("Equation of the machine with its reduced inertia", "Уравнение движения машины с приведённым моментом инерции")
+    } else {
+        work.language.pick("Equation of the machine with its reduced mass", "Уравнение движения машины с приведённой массой")
+    };
     pen.section(title, |pen| told(work, (&reduced, worst), pen));
 }
 
@@ -33,11 +42,17 @@ pub(super) fn leading(work: &Work) -> Option<usize> {
     asked.or_else(|| coordinates.iter().position(|c| c.given[1])).or_else(|| coordinates.iter().position(|c| c.given[0])).or(Some(0))
 }
 
-/// Numbers for the k-th state: parameters as they are, everything else spread over (0.2, 1.2).
+/// The deviation in the k-th state: parameters as they are, coordinates beside their starts, everything else spread over (0.2, 1.2).
 fn deviation(work: &Work, reduced: &Reduced, k: u32) -> f64 {
     let equations = work.equations;
     let spread = |s: SymbolId| 0.2 + (0.618_034 * f64::from(k + 1) * (s.index() as f64 + 1.0)).fract();
     let mut known: Vec<(SymbolId, f64)> = equations.parameters.iter().map(|p| (p.symbol, p.value)).collect();
+    let reach = REACHES[(k / STATES) as usize % REACHES.len()];
+    for coordinate in &equations.coordinates {
+        let find = |s: SymbolId| known.iter().find(|(n, _)| *n == s).map_or(0.0, |(_, v)| *v);
+        let start = equations.graph.evaluate(&[coordinate.start], &find)[0];
+        known.push((coordinate.symbols[0], start + reach * spread(coordinate.symbols[0])));
+    }
     for definition in &equations.definitions {
         let find = |s: SymbolId| known.iter().find(|(n, _)| *n == s).map_or_else(|| spread(s), |(_, v)| *v);
         let value = equations.graph.evaluate(&[definition.formula], &find)[0];
@@ -79,15 +94,12 @@ fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
     ]);
     let inertia = of(work, "J", symbol(leading.symbols[0]));
     pen.numbered(chain(&printer, vec![inertia.clone(), printer.layout(graph, reduced.inertia)]));
-    numbers(work, (graph, reduced.whole), &inertia, pen);
-    let (en, ru) = if angle { ("moment", "момент") } else { ("force", "сила") };
-    pen.say(
-        work.language.pick(
-            format!("The reduced {en} does the power of all loads; the reactions of ideal connections do none:"),
-            format!("Приведённый {ru} определяется из равенства мощностей всех нагрузок; мощность реакций идеальных связей равна нулю:")
-                .replace("Приведённый сила определяется", "Приведённая сила определяется"),
-        ),
-    );
+    numbers(work, (graph, reduced.whole, if angle { "kg m^2" } else { "kg" }), &inertia, pen);
+    let (en, ru) = if angle { ("moment", "Приведённый момент определяется") } else { ("force", "Приведённая сила определяется") };
+    pen.say(work.language.pick(
+        format!("The reduced {en} does the power of all loads; the reactions of ideal connections do none:"),
+        format!("{ru} из равенства мощностей всех нагрузок; мощность реакций идеальных связей равна нулю:"),
+    ));
     let moment = Layout::Symbol(printer.named(if angle { "M_пр" } else { "F_пр" }));
     let moment =
         if work.language == ::words::Language::En { Layout::Symbol(printer.named(if angle { "M_r" } else { "F_r" })) } else { moment };
@@ -177,7 +189,7 @@ fn equation(work: &Work, reduced: &Reduced, moment: Layout) -> Layout {
 }
 
 /// The same with the numbers of the parameters, where that is short.
-fn numbers(work: &Work, (graph, whole): (&Graph, Expr), name: &Layout, pen: &mut Pen) {
+fn numbers(work: &Work, (graph, whole, unit): (&Graph, Expr, &str), name: &Layout, pen: &mut Pen) {
     let mut graph = graph.clone();
     let mut list: Vec<(SymbolId, Expr)> = Vec::new();
     for p in &work.equations.parameters {
@@ -189,7 +201,6 @@ fn numbers(work: &Work, (graph, whole): (&Graph, Expr), name: &Layout, pen: &mut
     if matches!(graph.node(put), Node::Number(_)) || graph.reachable(&[put]).len() > READABLE {
         return;
     }
-    let unit = if work.equations.coordinates.iter().any(|c| c.unit == "rad") { "kg m^2" } else { "kg" };
     let printer = work.printer.clone().rounded();
     let right = sum_with_unit(printer.layout(&graph, put), unit, work.language);
     pen.formula(chain(&printer, vec![name.clone(), right]));

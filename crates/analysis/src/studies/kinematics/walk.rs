@@ -1,5 +1,6 @@
 //! The walk along the way, place by place.
 
+use crate::audits::worse;
 use std::sync::Arc;
 use words::{Message, Text};
 
@@ -279,11 +280,6 @@ impl Walk<'_, '_> {
             ),
         ]
     }
-}
-
-/// The larger; what is no number stays.
-fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
 fn change_point(s: f64) -> Text {

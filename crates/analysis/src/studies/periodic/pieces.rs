@@ -20,6 +20,8 @@ pub(in crate::studies) struct Piece {
     pub(in crate::studies) end: (f64, Vec<f64>),
     /// Change of each state at the end per change at the start, row by row, SI.
     pub(in crate::studies) matrix: Vec<f64>,
+    /// Whether something switches in it.
+    pub(in crate::studies) switches: bool,
     /// What the states vary by in it.
     pub(in crate::studies) scales: Vec<f64>,
     /// Modes at its start.
@@ -69,15 +71,21 @@ pub(in crate::studies) fn piece<S: System + ?Sized>(
     (orbit.last, orbit.modes[1]) = (flow.state().to_vec(), flow.modes().to_vec());
     let end = flow.time();
     orbit.period = end - t;
-    let scales = newton::scales(system, &orbit, None, &[]);
+    let mut scales = newton::scales(system, &orbit, None, &[]);
+    // what has died out has no size of its own any more, and beside its last digits nothing can be told
+    let largest = scales.iter().copied().fold(0.0, f64::max);
+    scales.iter_mut().for_each(|scale| *scale = scale.max(DEAD * largest));
     let care = if look == Look::Close { Care::Multipliers } else { Care::Correction };
     let found = fundamental::of_orbit(system, &orbit, &scales, (care, listener))?;
     if let Some(why) = super::blurred(found.blur) {
         return Err(undefined(why, end));
     }
-    let Orbit { last, modes: [modes, _], .. } = orbit;
-    Ok(Piece { end: (end, last), matrix: found.matrix.values, scales, modes, liouville: found.liouville })
+    let Orbit { last, modes: [modes, _], jumps, .. } = orbit;
+    Ok(Piece { switches: !jumps.is_empty(), end: (end, last), matrix: found.matrix.values, scales, modes, liouville: found.liouville })
 }
+
+/// Share of the largest size of a state below which a state has none: far above the numbers that lose their digits, far below all that others feel.
+const DEAD: f64 = 1e-100;
 
 /// S141: the motion has no derivative by its start.
 fn undefined(why: Text, t: f64) -> Fault {

@@ -15,6 +15,7 @@ use words::Text;
 
 use super::degenerate::{Degenerate, degenerate, remark};
 use super::stability::{free_directions, verdict, with_closed};
+use crate::audits;
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::linear::LinearMachine;
 use crate::rest::admissible::Holds;
@@ -42,7 +43,7 @@ struct Row {
     growth: f64,
     negative: f64,
     free: usize,
-    second: f64,
+    second: Option<f64>,
     degenerate: Option<Degenerate>,
 }
 
@@ -313,16 +314,15 @@ fn on_rates(mut row: Row, matrices: &crate::linear::Matrices, names: &[Quantity]
     row
 }
 
-/// The second derivation at rest: its largest residual relative to the terms of the first.
-fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
+/// The second derivation at rest: its largest residual relative to the terms of the first; none where an open reaction leaves nothing to compare, and without any force.
+fn second(equations: &Equations, parameters: &[f64], place: &Place) -> Option<f64> {
     let n = equations.coordinates.len();
     let mut values: BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| p.symbol).zip(parameters.iter().copied()).collect();
     values.extend(equations.coordinates.iter().map(|c| c.symbols[0]).zip(place.q.iter().copied()));
     let acting = || equations.reactions.iter().zip(&place.reactions).filter(|(r, _)| !r.law.is_hidden());
     let known: Vec<(SymbolId, f64)> = acting().filter_map(|(r, v)| v.map(|v| (r.symbol, v))).collect();
-    // an open reaction leaves nothing to compare
     if known.len() < acting().count() {
-        return 0.0;
+        return None;
     }
     values.extend(known);
     let graph = &equations.graph;
@@ -341,11 +341,10 @@ fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
             sizes[*j] = sizes[*j].max((e * value.unwrap_or(0.0)).abs());
         }
     }
-    let largest = sizes.iter().fold(0.0_f64, |m, s| m.max(*s));
+    let largest = audits::worst(sizes.iter().copied());
     // as in the audits of motions: terms that pass through zero together
     let of = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(1e-3 * largest).max(f64::MIN_POSITIVE) };
-    // without any force there is nothing to compare but rounding
-    if largest <= 1e-12 { 0.0 } else { residuals.iter().zip(&sizes).map(of).fold(0.0, f64::max) }
+    (largest != 0.0).then(|| audits::worst(residuals.iter().zip(&sizes).map(of)))
 }
 
 /// The size of the terms that add up to each force of rest, which cancel there: the bound of their rounding over the rounding of one operation.
@@ -382,21 +381,21 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
     // without coordinates there is no stability
     let columns_of_motion = if equations.coordinates.is_empty() { Vec::new() } else { verdicts(rows) };
     columns.extend(columns_of_motion);
-    let most = |of: &dyn Fn(&Row) -> f64| rows.iter().map(of).fold(0.0, f64::max);
     let first = Text::new("equilibrium: largest relative force", "равновесие: наибольшая относительная сила");
     let other = Text::new(
         "equilibrium by the second derivation: largest relative force",
         "равновесие по второму выводу: наибольшая относительная сила",
     );
-    let audits = vec![
-        Audit::at_most("equilibrium", first, most(&|r| r.place.residual), RESIDUAL),
-        Audit::at_most("equilibrium_second", other, most(&|r| r.second), SECOND),
-    ];
+    let mut list = Vec::new();
+    if !rows.is_empty() {
+        list.push(Audit::at_most("equilibrium", first, audits::worst(rows.iter().map(|r| r.place.residual)), RESIDUAL));
+    }
     // loads that the second derivation has in a form without a mean leave nothing to compare
-    let audits: Vec<Audit> =
-        audits.into_iter().take(if equations.second.is_empty() && !equations.force.is_empty() { 1 } else { 2 }).collect();
-    let audits = if rows.is_empty() { Vec::new() } else { audits };
-    let mut data = Dataset { columns, notes, audits, ..Dataset::default() };
+    let seconds: Vec<f64> = rows.iter().filter_map(|r| r.second).collect();
+    if !seconds.is_empty() && !(equations.second.is_empty() && !equations.force.is_empty()) {
+        list.push(Audit::at_most("equilibrium_second", other, audits::worst(seconds), SECOND));
+    }
+    let mut data = Dataset { columns, notes, audits: list, ..Dataset::default() };
     let open = Text::new("not determined by the equations of rest", "уравнениями покоя не определяется");
     equations.reactions.iter().for_each(|r| data.state(&r.name, Missing::Absent, open.clone()));
     crate::studies::equilibrium::state(&mut data);

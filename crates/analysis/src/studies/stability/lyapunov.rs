@@ -33,6 +33,10 @@ const UNTOUCHED: f64 = 1e-14;
 const GROWN: f64 = 11.5;
 /// Openings of contacts, in the time that counts, from which on what they take away is taken again and again.
 const AGAIN: usize = 2;
+/// By how much the directions of a piece may grow apart, as powers of e: ten digits, of sixteen.
+const FAR_APART: f64 = 23.0;
+/// Share of the longest piece below which a direction that is gone has been taken away, and has not died.
+const SHORTEST: f64 = 1e-3;
 /// Exponents that are further apart than this in a piece, as powers of e, drown in the rounding of its matrix.
 const DROWNED: f64 = 25.0;
 
@@ -149,7 +153,8 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
     let mut openings = Openings::default();
     let mut stretches: Vec<Stretch> = Vec::new();
     let mut found = Lyapunov { counted: (1.0 - TURNS_IN) * options.duration, ..Lyapunov::default() };
-    let mut number = 0;
+    let (mut number, mut reach, mut hopeless) = (0, most, false);
+    let can_hold = system.guards().iter().any(|guard| is_one_sided(&guard.kind));
     while end - t > REST * most {
         if options.listener.interrupt.is_some_and(|flag| flag.load(std::sync::atomic::Ordering::Relaxed)) {
             found.partial = true;
@@ -159,16 +164,28 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
             told(Stage::Settling(t, end));
         }
         let look = if number % LOOKED_AT == 0 { Look::Close } else { Look::Quick };
-        let until = if t < counts { (t + most).min(counts) } else { (t + most).min(end) };
-        let next = piece(system, (t, &x), until, &flow, (look, Listener { told: None, ..options.listener }))?;
-        if frame.is_none() {
-            frame = Some(Frame::new(system, (t, &x), &next)?);
+        let last = if t < counts { counts } else { end };
+        let follow = |system: &mut S, until: f64| piece(system, (t, &x), until, &flow, (look, Listener { told: None, ..options.listener }));
+        let mut next = follow(system, (t + reach).min(last))?;
+        let frame = match &mut frame {
+            Some(frame) => frame,
+            none => none.insert(Frame::new(system, (t, &x), &next)?),
+        };
+        // over a long piece what dies most quickly is rounding beside what lives: a shorter one keeps it
+        let before = reach;
+        while !hopeless && frame.parts_in(&next) {
+            reach = 0.5 * (next.end.0 - t);
+            hopeless = reach < SHORTEST * most;
+            next = follow(system, (t + reach).min(last))?;
         }
-        let Some(frame) = &mut frame else { break };
+        if hopeless {
+            reach = reach.max(before);
+        }
         if frame.is_held(system, &next.modes) {
             let free = frame.free(system, (t, &x, &next.modes), &next.scales)?;
             frame.onto(&free);
-            match t < counts {
+            // without contacts and frictions nothing takes a direction away: what is missing has died
+            match t < counts || !can_hold {
                 true => frame.take(free),
                 false => openings.seen(t, (free.len(), frame.columns.len())),
             }
@@ -317,6 +334,14 @@ impl Frame {
             }
         }
         self.orthonormal()
+    }
+
+    /// Whether the directions that are followed grow so far apart in a piece in which nothing switches that one of them is lost: there it has died, and has not been taken away.
+    fn parts_in(&self, piece: &Piece) -> bool {
+        let mut after = Frame { scales: self.scales.clone(), columns: self.columns.clone(), clocks: Vec::new(), states: 0 };
+        let logs = after.carry(&piece.matrix);
+        let ends = logs.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], log| [least.min(*log), most.max(*log)]);
+        !piece.switches && (logs.len() < self.columns.len() || ends[1] - ends[0] > FAR_APART)
     }
 
     /// Makes the columns orthonormal; logarithms of what they had been long beside those before them.

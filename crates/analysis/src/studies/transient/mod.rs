@@ -21,6 +21,7 @@ mod value;
 mod walk;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
+use crate::audits::worse;
 use crate::dataset::{Audit, Column, Dataset, Event};
 use crate::marks::named::Named;
 use crate::marks::pushes::Push;
@@ -298,8 +299,8 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], solved: &mut Solved, 
     each_row(phases, &times, |row, x| {
         for ((value, column), size) in x.iter().zip(numeric).zip(&sizes) {
             let difference = (value - column.values[row]).abs();
-            if difference > 0.0 {
-                worst = worst.max(difference / size);
+            if difference != 0.0 {
+                worst = worse(worst, difference / size);
             }
         }
         Ok(())

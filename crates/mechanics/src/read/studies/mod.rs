@@ -16,6 +16,7 @@ use crate::units::{Dimension, si_label};
 use plot::{Axis, plots};
 use toml::de::DeValue;
 use words::Notice;
+use words::digits::typed;
 
 /// The studies, in order.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, kinds: &Kinds) -> Vec<Asked> {
@@ -210,8 +211,8 @@ fn number<'a>(
         reader.fault(Notice::piece(
             "M071",
             fields.span_of(key),
-            format!("`{key}` is {number}; it must be {}", words.0),
-            format!("`{key}` равно {number}; должно быть {}", words.1),
+            format!("`{key}` is {}; it must be {}", typed(number).en, words.0),
+            format!("`{key}` равно {}; должно быть {}", typed(number).ru, words.1),
         ));
     }
     within.then_some(number)
@@ -225,8 +226,8 @@ fn count<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, code): (&'stati
         reader.fault(Notice::piece(
             code,
             fields.span_of(key),
-            format!("`{key}` is {number}; a whole number from {least} to 1000000 is needed"),
-            format!("`{key}` равно {number}; нужно целое от {least} до 1000000"),
+            format!("`{key}` is {}; a whole number from {least} to 1000000 is needed", typed(number).en),
+            format!("`{key}` равно {}; нужно целое от {least} до 1000000", typed(number).ru),
         ));
         return None;
     }

@@ -5,6 +5,7 @@ use crate::reader::syntax::Value;
 use crate::reader::{Fields, Reader, wrong_type};
 use crate::units::Dimension;
 use words::Notice;
+use words::digits::quantity;
 use words::limits::TOLERANCES;
 
 /// More rows than this do not fit a useful result.
@@ -18,8 +19,8 @@ pub(super) fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'
         reader.fault(Notice::piece(
             "M065",
             fields.span_of(key),
-            format!("`{key}` is {number} s; it must be positive"),
-            format!("`{key}` равно {number} с; должно быть положительным"),
+            format!("`{key}` is {}; it must be positive", quantity(number, "s").en),
+            format!("`{key}` равно {}; должно быть положительным", quantity(number, "s").ru),
         ));
         return None;
     }
@@ -34,8 +35,8 @@ pub(super) fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'s
         reader.fault(Notice::piece(
             "M065",
             fields.span_of(key),
-            format!("`{key}` is {number} s; it must not be negative"),
-            format!("`{key}` равно {number} с; отрицательным быть не может"),
+            format!("`{key}` is {}; it must not be negative", quantity(number, "s").en),
+            format!("`{key}` равно {}; отрицательным быть не может", quantity(number, "s").ru),
         ));
         return None;
     }
