@@ -237,16 +237,23 @@ fn without(rows: &[Vec<f64>], states: &[usize]) -> Vec<Vec<f64>> {
 
 /// S141.
 fn no_multipliers(note: Option<&Text>) -> Notice {
+    let Some(note) = note else {
+        return Notice::new(
+            "S141",
+            "nothing but the shift along this motion can be disturbed: it has no multipliers, and is stable",
+            "возмутить можно лишь сдвиг вдоль этого движения: мультипликаторов у него нет, и оно устойчиво",
+        )
+        .why(
+            "closed contacts and frictions that stick take every other direction away within a period",
+            "замкнутые контакты и залипание за период убирают все остальные направления",
+        );
+    };
     let notice = Notice::new(
         "S141",
         "small disturbances of this motion have no multipliers",
         "у малых возмущений этого движения нет мультипликаторов",
     );
-    match note {
-        Some(note) => notice.why(note.en.clone(), note.ru.clone()),
-        None => notice,
-    }
-    .help(
+    notice.why(note.en.clone(), note.ru.clone()).help(
         "change a parameter a little, so that the motion does not touch the switch",
         "немного измените параметр, чтобы движение не касалось переключения",
     )
