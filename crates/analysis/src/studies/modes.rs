@@ -16,8 +16,8 @@ use algebra::elementary;
 use std::cmp::Ordering;
 use words::Text;
 
-use crate::audits::worse;
 use crate::audits::certified;
+use crate::audits::worse;
 use crate::dataset::Audit;
 use crate::linear::{Matrices, largest, parts};
 use crate::studies::roots::{Basis, lost, roots};

@@ -5,8 +5,8 @@ use super::row::{Made, Row, Stands};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, LABEL, TableSpec, Type, may, must};
 use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
-use crate::units::Dimension;
 use crate::reader::{Fields, Reader};
+use crate::units::Dimension;
 use std::sync::Arc;
 use symbolic::{Edge, Expr, Graph, Rational};
 use words::Notice;
@@ -148,7 +148,8 @@ fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> O
     if let Some(number) = reader.number_for(&value, Reliance::Sign).filter(|v| *v < 0.0) {
         let unit = if matches!(length, Kind::Known(d) if d == Dimension::ANGLE) { "rad" } else { "m" };
         let n = quantity(number, unit);
-        let (en, ru) = (format!("the backlash is {}; it must not be negative", n.en), format!("зазор равен {}; отрицательным быть не может", n.ru));
+        let (en, ru) =
+            (format!("the backlash is {}; it must not be negative", n.en), format!("зазор равен {}; отрицательным быть не может", n.ru));
         reader.fault(Notice::piece("M088", fields.span_of("backlash"), en, ru));
     } else if fields.has("preload") && !reader.builder.graph.is_zero(value.expr) {
         reader.fault(

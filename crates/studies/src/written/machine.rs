@@ -95,7 +95,11 @@ fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
     let inertia = of(work, "J", symbol(leading.symbols[0]));
     pen.numbered(chain(&printer, vec![inertia.clone(), printer.layout(graph, reduced.inertia)]));
     numbers(work, (graph, reduced.whole, if angle { "kg m^2" } else { "kg" }), &inertia, pen);
-    let (en, ru) = if angle { ("moment", "Приведённый момент определяется") } else { ("force", "Приведённая сила определяется") };
+    let (en, ru) = if angle {
+        ("moment", "Приведённый момент определяется")
+    } else {
+        ("force", "Приведённая сила определяется")
+    };
     pen.say(work.language.pick(
         format!("The reduced {en} does the power of all loads; the reactions of ideal connections do none:"),
         format!("{ru} из равенства мощностей всех нагрузок; мощность реакций идеальных связей равна нулю:"),

@@ -188,13 +188,13 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
                 h *= 0.5;
                 if h < SHORTEST {
                     if !grazes(zeros, &mut curve) {
-                        let fault = if touching::is_at_edge(&a) { Some(passes_the_start()) } else { fault };
+                        let fault = if a.is_at_edge() { Some(passes_the_start()) } else { fault };
                         curve.ends[1] = Some(if lingers(&a, bounds.ranges.len()) { End::Lingers } else { End::Stuck(h, fault) });
                     }
                     return curve;
                 }
             }
-            Tried::Done(b, ..) if touching::is_blurred(&b) && grazes(zeros, &mut curve) => return curve,
+            Tried::Done(b, ..) if b.is_blurred() && grazes(zeros, &mut curve) => return curve,
             Tried::Done(b, mut events, steps, side) => {
                 let place = curve.places.len();
                 if let Some(first) = events.iter().position(|e| rests(&e.special.place, [&a, &b])) {

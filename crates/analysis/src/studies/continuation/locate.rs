@@ -5,7 +5,6 @@
 
 use super::corrector::{self, Plane, settle};
 use super::signs::{self, leaves_as_pair, leaving};
-use super::touching;
 use super::zeros::{Place, Sort, Zeros};
 use crate::Fault;
 
@@ -184,7 +183,7 @@ pub(super) fn located(zeros: &mut dyn Zeros, a: &Place, b: &Place, tests: &[Test
         let part = [passed, at(low)];
         list.extend(smooth(zeros, &from, &before, &flagged(&from, &before))?.into_iter().map(|event| event.within(part)));
         let within = 0.5 * (after.parameter() - before.parameter()).abs();
-        if ![&before, &after].into_iter().any(touching::is_at_edge) {
+        if !before.is_at_edge() && !after.is_at_edge() {
             let special = Special { what: What::Grazing, within, place: after.clone() };
             list.push(Located { special, share: at(0.5 * (low + high)) });
         }

@@ -161,6 +161,12 @@ pub(super) struct Signs {
 /// Points lie on their branch to this share of what varies: corrections end below it, mostly by three digits.
 pub const ON_BRANCH: f64 = 1e-9;
 
+/// Share of the period beside its ends within which what switches does so at its ends: branches come as near to where that happens as to any other end.
+const AT_EDGE: f64 = 1e-5;
+/// Share by which corrections leave a point, and by what share of itself the rate of a guard may be unsure with that.
+const CORRECTED: f64 = 1e-10;
+const RESOLVED: f64 = 0.01;
+
 /// A point of a branch.
 #[derive(Clone, Debug, Default)]
 pub struct Place {
@@ -186,6 +192,16 @@ impl Place {
     /// Whether Newton's own correction leaves it where it is, to this share of what varies.
     pub(super) fn lies(&self) -> bool {
         self.local.facts.miss <= ON_BRANCH && self.local.facts.defect <= ON_BRANCH
+    }
+
+    /// Whether something switches just where the period begins. A switch that passes there is none that is touched: the motion is the same one, counted otherwise.
+    pub(super) fn is_at_edge(&self) -> bool {
+        self.local.facts.edge.is_some_and(|edge| edge <= AT_EDGE)
+    }
+
+    /// Whether it cannot be told how fast the slowest switch is met: the branch ends before it.
+    pub(super) fn is_blurred(&self) -> bool {
+        self.local.facts.slowest.is_some_and(|meeting| meeting.unsure * CORRECTED > RESOLVED)
     }
 
     /// What it is.

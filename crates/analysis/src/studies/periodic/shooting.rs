@@ -11,6 +11,7 @@ use super::symmetry::Symmetry;
 use super::turns::{self, Known, Turns};
 use super::variation::Care;
 use crate::integrate::Step;
+use crate::integrate::crossings::{Change, Switch};
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
 
@@ -336,9 +337,12 @@ impl Turned<'_> {
         self.0.orbit.period
     }
 
-    /// The guards that switch in the turn, by number: where the turn begins does not matter.
+    /// The guards that switch in the turn, by number: where the turn begins does not matter. Impacts without end count as one: how many of them are followed is no matter of the motion.
     pub(in crate::studies) fn switches(&self) -> Vec<usize> {
-        let mut list: Vec<usize> = self.0.orbit.jumps.iter().flat_map(|jump| jump.switches.iter().map(|s| s.guard)).collect();
+        let all = || self.0.orbit.jumps.iter().flat_map(|jump| &jump.switches);
+        let rests = |guard: usize| all().any(|s| s.guard == guard && matches!(s.change, Change::Rests { .. }));
+        let counts = |s: &&Switch| !matches!(s.change, Change::Impact { .. }) || !rests(s.guard);
+        let mut list: Vec<usize> = all().filter(counts).map(|s| s.guard).collect();
         list.sort_unstable();
         list
     }
