@@ -337,11 +337,13 @@ impl Turned<'_> {
         self.0.orbit.period
     }
 
-    /// The guards that switch in the turn, by number: where the turn begins does not matter. Impacts without end count as one: how many of them are followed is no matter of the motion.
+    /// The guards that switch in the turn, by number: where the turn begins does not matter. The rebounds of a contact that comes to rest are not counted: how many
+    /// of them without end are followed is no matter of the motion.
     pub(in crate::studies) fn switches(&self) -> Vec<usize> {
         let all = || self.0.orbit.jumps.iter().flat_map(|jump| &jump.switches);
-        let rests = |guard: usize| all().any(|s| s.guard == guard && matches!(s.change, Change::Rests { .. }));
-        let counts = |s: &&Switch| !matches!(s.change, Change::Impact { .. }) || !rests(s.guard);
+        let rebounds = |s: &Switch| matches!(s.change, Change::Impact { .. }) && s.after == Mode::Positive;
+        let closes = |guard: usize| all().any(|s| s.guard == guard && s.before == Mode::Positive && s.after == Mode::Zero);
+        let counts = |s: &&Switch| !(rebounds(s) && closes(s.guard));
         let mut list: Vec<usize> = all().filter(counts).map(|s| s.guard).collect();
         list.sort_unstable();
         list
