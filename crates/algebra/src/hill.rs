@@ -8,6 +8,7 @@
 //! The matrix has the determinant 1 (Liouville), which no step knows of. *Source*: W. Magnus, S. Winkler, Hill's Equation, 1966, ch. I.
 
 use crate::elementary;
+use crate::lanes;
 use std::f64::consts::TAU;
 
 /// Coefficients of a step.
@@ -160,9 +161,18 @@ impl Hill {
     /// The monodromy matrix. Its error is some 1e-14 of its largest entry, with harmonics that are known to it.
     pub fn monodromy(&self) -> Monodromy {
         let mut state = [[1.0, 0.0], [0.0, 1.0]];
-        self.walk(|_, psi, h| state = state.map(|y| step(psi, y, h)));
+        if self.is_even() {
+            self.walk_over(0.5 * self.period, |_, psi, h| state = both(psi, state, h));
+            return of_half(state);
+        }
+        self.walk(|_, psi, h| state = both(psi, state, h));
         let [[y1, r1], [y2, r2]] = state;
         Monodromy { entries: [y1, y2, r1, r2] }
+    }
+
+    /// Whether ψ(-t) = ψ(t): a series of cosines.
+    fn is_even(&self) -> bool {
+        self.waves.iter().all(|[_, s]| *s == 0.0)
     }
 
     /// Which tongue of instability the equation lies in: n, where the solution that grows has n zeros in a period; none where no solution grows.
@@ -210,7 +220,12 @@ impl Hill {
     }
 
     /// Over the steps of a period: whether it is the last one, ψ_j h^(j+2), and h.
-    fn walk(&self, mut go: impl FnMut(bool, &[f64; ORDER], f64)) {
+    fn walk(&self, go: impl FnMut(bool, &[f64; ORDER], f64)) {
+        self.walk_over(self.period, go);
+    }
+
+    /// The same over a time from 0 on.
+    fn walk_over(&self, time: f64, mut go: impl FnMut(bool, &[f64; ORDER], f64)) {
         let omega = TAU / self.period;
         let amplitude = |[c, s]: &[f64; 2]| c.abs() + s.abs();
         let size: f64 = self.mean.abs() + self.waves.iter().map(amplitude).sum::<f64>();
@@ -219,8 +234,8 @@ impl Hill {
             (k + 1) as f64 * omega * elementary::pow(amplitude(w) / size.max(f64::MIN_POSITIVE), 1.0 / ORDER as f64)
         };
         let fastest = self.waves.iter().enumerate().map(rate).fold(size.sqrt(), f64::max);
-        let steps = (self.period * fastest / REACH).ceil().max(1.0);
-        let h = self.period / steps;
+        let steps = (time * fastest / REACH).ceil().max(1.0);
+        let h = time / steps;
         // h^(j+2) (kω)^j / j! of each harmonic, the same in all steps
         let scales = |k: usize| {
             let rate = (k + 1) as f64 * omega;
@@ -234,7 +249,7 @@ impl Hill {
         let scales: Vec<[f64; ORDER]> = (0..self.waves.len()).map(scales).collect();
         let mut psi = [0.0; ORDER];
         for i in 0..steps as usize {
-            self.expand(self.period * i as f64 / steps, (h, &scales), &mut psi);
+            self.expand(time * i as f64 / steps, (h, &scales), &mut psi);
             go(i + 1 == steps as usize, &psi, h);
         }
     }
@@ -265,18 +280,76 @@ fn greatest_common(mut a: usize, mut b: usize) -> usize {
     a
 }
 
-/// (y, y') at the end of a step.
-fn step(psi: &[f64; ORDER], [y, rate]: [f64; 2], h: f64) -> [f64; 2] {
-    let mut c = [0.0; ORDER + 2];
-    (c[0], c[1]) = (y, rate * h);
+/// The matrix of a period of an even ψ from y₁, y₁' and y₂, y₂' after half of it: backwards from T the solutions are those forwards from 0, y₁ even about both ends of the half and y₂ odd.
+///
+/// ```text
+/// y₁(T) = y₂'(T) = y₁y₂' + y₂y₁'     y₂(T) = 2 y₂y₂'     y₁'(T) = 2 y₁y₁'     at T/2
+/// ```
+///
+/// *Source*: W. Magnus, S. Winkler, Hill's Equation, 1966, ch. I, theorem 1.1.
+fn of_half([[y1, r1], [y2, r2]]: [[f64; 2]; 2]) -> Monodromy {
+    let half = y1 * r2 + y2 * r1;
+    Monodromy { entries: [half, 2.0 * y2 * r2, 2.0 * y1 * r1, half] }
+}
+
+/// Two solutions at the end of a step.
+fn both(psi: &[f64; ORDER], states: [[f64; 2]; 2], h: f64) -> [[f64; 2]; 2] {
+    let [mut first, mut second] = states.map(|state| Backwards::new(state, h));
     for j in 0..ORDER {
-        let sum: f64 = psi[..=j].iter().zip(c[..=j].iter().rev()).map(|(a, b)| a * b).sum();
-        c[j + 2] = -sum / ((j + 1) * (j + 2)) as f64;
+        let [a, b] = lanes::products(Backwards::factors(psi, j), [first.up_to(j), second.up_to(j)]);
+        first.push(j, a);
+        second.push(j, b);
     }
-    // the smallest first
-    let value = c.iter().rev().sum();
-    let slope = c.iter().enumerate().rev().map(|(j, c)| j as f64 * c).sum::<f64>();
-    [value, slope / h]
+    [first.end(h), second.end(h)]
+}
+
+/// (y, y') at the end of a step.
+fn step(psi: &[f64; ORDER], state: [f64; 2], h: f64) -> [f64; 2] {
+    let mut c = Backwards::new(state, h);
+    for j in 0..ORDER {
+        c.push(j, lanes::product(Backwards::factors(psi, j), c.up_to(j)));
+    }
+    c.end(h)
+}
+
+/// Numbers of a vector: what is left of a sum beyond them is filled up with zeros.
+const GROUP: usize = 4;
+
+/// Coefficients of y over a step from the last one to the first, so that Σ ψ_i y_(j-i) is a product of two runs; zeros behind the first.
+struct Backwards([f64; ORDER + 1 + GROUP]);
+
+impl Backwards {
+    /// Of y, y'h, ...
+    fn new([y, rate]: [f64; 2], h: f64) -> Backwards {
+        let mut all = [0.0; ORDER + 1 + GROUP];
+        (all[ORDER + 1], all[ORDER]) = (y, rate * h);
+        Backwards(all)
+    }
+
+    /// ψ_0 ... ψ_j, to whole groups.
+    fn factors(psi: &[f64; ORDER], j: usize) -> &[f64] {
+        &psi[..(j + 1).next_multiple_of(GROUP)]
+    }
+
+    /// y_j ... y_0, to whole groups.
+    fn up_to(&self, j: usize) -> &[f64] {
+        let first = ORDER + 1 - j;
+        &self.0[first..first + (j + 1).next_multiple_of(GROUP)]
+    }
+
+    /// y_(j+2) from the sum.
+    fn push(&mut self, j: usize, sum: f64) {
+        if let Some(place) = (ORDER - 1).checked_sub(j) {
+            self.0[place] = -sum / ((j + 1) * (j + 2)) as f64;
+        }
+    }
+
+    /// y and y' at the end, the smallest terms first.
+    fn end(&self, h: f64) -> [f64; 2] {
+        let known = &self.0[..=ORDER + 1];
+        let slope: f64 = known.iter().enumerate().map(|(place, c)| (ORDER + 1 - place) as f64 * c).sum();
+        [known.iter().sum(), slope / h]
+    }
 }
 
 #[cfg(test)]
@@ -311,6 +384,29 @@ mod tests {
             let largest = whole.entries.iter().fold(1.0_f64, |l, v| l.max(v.abs()));
             assert!((whole.trace() - 2.0).abs() < EXACT * largest, "{eps}: {}", whole.trace());
             assert!((whole.determinant() - 1.0).abs() < EXACT * largest, "{eps}");
+        }
+    }
+
+    /// An even ψ is solved over half a period: the matrix is that of steps over the whole one, and with another start, where sines come in, the trace is the same.
+    #[test]
+    fn half_a_period_of_an_even_function_is_enough() {
+        for (mean, waves) in [(1.3, vec![[-2.0, 0.0], [0.4, 0.0]]), (-0.7, vec![[1.0, 0.0]]), (40.0, vec![[0.0, 0.0], [9.0, 0.0]])] {
+            let hill = Hill { period: 3.0, mean, waves };
+            let found = hill.monodromy();
+            let mut state = [[1.0, 0.0], [0.0, 1.0]];
+            hill.walk(|_, psi, h| state = state.map(|y| step(psi, y, h)));
+            let [[y1, r1], [y2, r2]] = state;
+            let largest = found.entries.iter().fold(1.0_f64, |l, v| l.max(v.abs()));
+            for (own, whole) in found.entries.into_iter().zip([y1, y2, r1, r2]) {
+                assert!((own - whole).abs() < EXACT * largest, "{own} {whole}");
+            }
+            let turned = |(k, [c, _]): (usize, &[f64; 2])| {
+                let (sin, cos) = elementary::sin_cos((k + 1) as f64 * 0.9);
+                [c * cos, c * sin]
+            };
+            let late = Hill { waves: hill.waves.iter().enumerate().map(turned).collect(), ..hill.clone() };
+            assert!((late.monodromy().trace() - found.trace()).abs() < EXACT * largest);
+            assert!((found.determinant() - 1.0).abs() < EXACT * largest * largest);
         }
     }
 

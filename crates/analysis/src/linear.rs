@@ -14,7 +14,8 @@ mod seen;
 mod sought;
 
 pub use graded::Graded;
-pub use machine::{LinearMachine, Place, Values, driven};
+pub use machine::values::Values;
+pub use machine::{LinearMachine, Place, driven};
 pub use matrices::{Harmonic, Matrices, largest, parts};
 pub use observer::Observer;
 pub use reactions::LoadParts;

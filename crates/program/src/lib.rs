@@ -86,8 +86,14 @@ pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Construct, GuardOrigin};
 pub use interpret::{Evaluator, Point};
 pub use jets::{Jets, RESOLUTION};
+
+/// What polynomials are held against: the numbers that all who ask whether an operation can be believed have in common.
+pub mod faithful {
+    pub use crate::jets::faithful::{NEAR, NOTHING, RATIO};
+}
+
 pub use mode::Mode;
-pub use program::{Bound, ConnectionRoots, ENERGY, LawRoots, Program, RestRoots, TouchRoots};
+pub use program::{Bound, ConnectionRoots, ENERGY, LawRoots, Program, TouchRoots};
 pub use real::Real;
 pub use spare::Spare;
 pub use tangent::Tangent;

@@ -68,9 +68,6 @@ pub struct Program {
     pub places: Arc<Tape>,
     /// t, x (rates ignored, taken as 0) -> h(q, 0, s, t), then its Jacobian ∂h/∂q row by row. Switches go by value.
     pub statics: Arc<Tape>,
-    /// t, x (rates ignored, taken as 0), q'' (ignored) and all reactions -> what equilibrium with connections needs besides [`Program::statics`];
-    /// [`Program::rest_roots`] says where. Switches go by value.
-    pub rests: Arc<Tape>,
     /// Whether velocities that formulas of time prescribe may jump: they stand behind the reactions among the roots of the dynamics.
     pub steps: bool,
     /// t, x -> all conditions and what assembly, projection and impacts need; [`Program::connection_roots`] says where. Switches go by value.
@@ -145,22 +142,6 @@ impl TouchRoots {
     pub const WIDTH: usize = 11;
 }
 
-/// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first
-/// by q is that of h plus `derivatives`. A machine without conditions and reactions has none.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct RestRoots {
-    /// m: value of each condition's place, 0 for one on rates only.
-    pub places: Range<usize>,
-    /// m n: ∂rate/∂q', which is ∂place/∂q where there is a place, row by row.
-    pub jacobian: Range<usize>,
-    /// n: Σ forces λ.
-    pub loads: Range<usize>,
-    /// n n: its derivatives by q, row by row.
-    pub derivatives: Range<usize>,
-    /// reactions x n: generalized forces per unit of each reaction, row by row.
-    pub forces: Range<usize>,
-}
-
 /// Names of the roots of [`Program::energy`].
 pub const ENERGY: [&str; 8] = ["kinetic", "potential", "dissipation", "dissipated", "rate", "loads", "drives", "through"];
 
@@ -180,12 +161,6 @@ impl Program {
     }
     fn connected_coordinates(&self) -> usize {
         if self.conditions + self.reactions > 0 { self.coordinates } else { 0 }
-    }
-    /// Where the roots of [`Program::rests`] are.
-    pub fn rest_roots(&self) -> RestRoots {
-        let (n, m) = (self.connected_coordinates(), self.conditions);
-        let [places, jacobian, loads, derivatives, forces] = consecutive([m, m * n, n, n * n, self.reactions * n]);
-        RestRoots { places, jacobian, loads, derivatives, forces }
     }
     /// The inputs `accelerations` of outputs, energy and the second derivation, from the roots of [`Program::forces`]: q'', then every
     /// reaction at its own index, not-a-number where it is not unique.

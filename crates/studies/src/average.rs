@@ -2,8 +2,10 @@
 //!
 //! Over a parameter the speeds are its branches; folds are located. Motions of the machine itself are laid beside them.
 
+mod curves;
 mod formulas;
 mod motions;
+mod show;
 mod tell;
 mod walk;
 
@@ -12,13 +14,21 @@ use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
-use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
+use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
 use mechanics::units::Dimension;
 use words::explain::{Explanation, plain};
 use words::{Notice, Text};
 
 /// The study.
 pub struct SlowBalance;
+
+static FROM: Choice = Choice {
+    words: &["start", walk::NEIGHBOUR],
+    metavar: "WHERE",
+    code: "M071",
+    unknown: ("motions cannot begin at `{}`", "движения не могут начинаться в `{}`"),
+    help: ("start or neighbour", "start или neighbour"),
+};
 
 /// Its name and its keys.
 pub static KIND: Kind = Kind::new(
@@ -91,6 +101,21 @@ pub static KIND: Kind = Kind::new(
         "\"60 s\"",
     )
     .option("Lay motions of the machine over this time beside: 60s", "Показать рядом движения самой машины за это время: 60с"),
+    Key::new(
+        "runs_from",
+        Takes::Word(&FROM),
+        (
+            "where these motions begin: start (each at the start of the file) or neighbour (a slow run from `from` to `to` and back: each where the one at the value before ended)",
+            "откуда начинаются эти движения: start (каждое из начального состояния файла) или neighbour (медленный проход от `from` до `to` и обратно: каждое из конца движения при соседнем значении)",
+        ),
+        "\"neighbour\"",
+    )
+    .default("\"start\"", "\"start\"")
+    .option(
+        "Where these motions begin, at the start of the file or, in a slow run forth and back, each where the one before ended [default: start]",
+        "Откуда начинаются эти движения: из начального состояния файла или, при медленном проходе туда и обратно, из конца соседнего [по умолчанию: start]",
+    )
+    .needs("runs"),
 ])
 .check(objections);
 
@@ -116,7 +141,28 @@ fn objections(asked: &Asked) -> Vec<Objection> {
         ));
     }
     found.extend(super::keys::backwards(asked));
+    found.extend(slow_run(asked));
     found
+}
+
+/// What a slow run needs: a parameter, a time, and equations that do not know when they are.
+fn slow_run(asked: &Asked) -> Option<Objection> {
+    let objection = |en: &str, ru: &str| Objection::at("runs_from", "M071", en, ru);
+    if asked.word("runs_from") != Some(walk::NEIGHBOUR) {
+        return None;
+    }
+    if !asked.has("parameter") || !asked.has("runs") {
+        let found = objection("a slow run goes along a parameter", "медленный проход идёт вдоль параметра");
+        return Some(found.help("write `parameter`, `from`, `to` and `runs`", "задайте `parameter`, `from`, `to` и `runs`"));
+    }
+    asked.number("instant").is_some_and(|instant| instant != 0.0).then(|| {
+        objection("a slow run has no `instant`", "у медленного прохода нет `instant`")
+            .why(
+                "each of its motions begins at t = 0: a run-up that formulas of time prescribe would begin again",
+                "каждое его движение начинается при t = 0: разгон, заданный формулами времени, начинался бы заново",
+            )
+            .help("take runs_from = \"start\"", "возьмите runs_from = \"start\"")
+    })
 }
 
 impl Study for SlowBalance {

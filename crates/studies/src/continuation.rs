@@ -1,6 +1,7 @@
 //! The study `continue`: regimes and places of rest along a parameter, over folds and onto the branches that part, with what happens on the way.
 
 mod asked;
+mod beside;
 mod creases;
 mod explained;
 mod family;
@@ -89,6 +90,19 @@ static KIND: Kind = Kind::new(
         "Frequencies of a backbone curve, from and to: 0.9,2 (rad/s) or \"1 Hz,2 Hz\"",
         "Частоты скелетной кривой, от и до: 0.9,2 (рад/с) или \"1 Гц;2 Гц\"",
     ),
+    Key::new(
+        BACKBONE,
+        Takes::Ranges,
+        (
+            "the backbone curve of `mode` over the response: the values with which nothing is lost and nothing drives, an array of name=value; `parameter` is the frequency of the load",
+            "скелетная кривая формы `mode` поверх амплитудной характеристики: значения, при которых нет потерь и нагрузок, массив строк имя=значение; `parameter` — частота нагрузки",
+        ),
+        "[\"b=0 N s/m\", \"F=0 N\"]",
+    )
+    .option(
+        "Lay the backbone curve over the response: a value with which nothing is lost or nothing drives, \"b=0 N s/m\"; may be repeated",
+        "Показать скелетную кривую: значение, при котором нет потерь или нагрузки, \"b=0 Н с/м\"; ключ можно повторять",
+    ),
     SECTION,
     TURNS,
     PERIOD,
@@ -128,10 +142,21 @@ static KIND: Kind = Kind::new(
 fn objections(asked: &Asked) -> Vec<Objection> {
     let mut found = Vec::new();
     let free = asked.word("of") == Some(BACKBONE);
-    if let Some(key) = ["mode", "frequencies"].into_iter().find(|key| !free && asked.has(key)) {
+    if let Some(key) = ["mode", "frequencies"].into_iter().find(|key| !free && asked.has(key) && !(*key == "mode" && asked.has(BACKBONE))) {
         found.push(
             Objection::at(key, "M071", format!("`{key}` belongs to a backbone curve"), format!("`{key}` относится к скелетной кривой"))
                 .help("write of = \"backbone\"", "напишите of = \"backbone\""),
+        );
+    }
+    if asked.has(BACKBONE) && (free || asked.word("of") == Some(equilibrium::KIND.name)) {
+        found.push(
+            Objection::at(
+                BACKBONE,
+                "M071",
+                "a backbone curve lies over motions of a driven machine",
+                "скелетная кривая показывается поверх движений под нагрузкой",
+            )
+            .help("take of = \"periodic\", or leave `backbone` out", "возьмите of = \"periodic\" или уберите `backbone`"),
         );
     }
     if free && asked.has("second") {
@@ -186,7 +211,13 @@ impl Study for Branches {
             _ => diagram(machine, &study, watch),
         };
         match found {
-            Ok(diagram) => tell::tell(machine, &study, &diagram, &mut results),
+            Ok(diagram) => {
+                let wanted = study.backbone.as_ref();
+                let spine = wanted.map(|wanted| beside::spine(machine, (&study, wanted), &diagram, watch)).transpose();
+                let (spine, trouble) = spine.map_or_else(|trouble| (None, Some(trouble)), |spine| (spine, None));
+                tell::tell(machine, &study, (&diagram, spine), &mut results);
+                trouble.into_iter().for_each(|trouble| results.fail(trouble));
+            }
             Err(trouble) => results.fail(trouble),
         }
         results.data.partial |= watch.is_interrupted();

@@ -11,6 +11,7 @@ use crate::repeat::course::Course;
 use crate::repeat::gathered::{Gathered, Row, partly_absent};
 use crate::repeat::journal::{self, Head};
 use crate::repeat::many::{self, Shared};
+use crate::repeat::stated::{of_ranges, stated};
 use crate::repeat::{Asks, At, Repeated, regimes};
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
@@ -249,7 +250,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         let found = course.rows(watch, batch, &|places| many::rows(&start, places, shared, &run))?;
         done += found.len();
         let short = found.len() < asked;
-        found.into_iter().for_each(|row| rows.take(wanted, row));
+        found.into_iter().for_each(|row| rows.take(wanted, &row));
         if machine.origin.studies.finds(base.kind) != Finds::Rest {
             // nobody reads them
             rows.stands.clear();
@@ -323,7 +324,8 @@ fn named(machine: &Machine, study: &Sweep, base: &Asked, results: &mut Results) 
 
 /// What makes the same rows: version, model with its values, what is asked.
 fn same(machine: &Machine, study: &Sweep, repeated: &Repeated) -> String {
-    let asked = journal::checksum(&format!("{study:?} {:?}", repeated.base));
+    let own = json!([of_ranges(&study.over), study.observe, study.of, stated(&study.inner), stated(&repeated.base)]);
+    let asked = journal::checksum(&own.to_string());
     format!("strutt {} model {} sweep {asked:016x}", provenance::VERSION, machine.model_hash)
 }
 
@@ -337,7 +339,7 @@ pub fn merged(parts: &[Vec<String>]) -> Result<(Dataset, Vec<String>), Notice> {
     let mut rows = Gathered::with(columns, own).with_regimes(&head.regimes);
     let (found, _) = journal::earlier(&lines, &head)?;
     let count = found.len();
-    found.into_iter().for_each(|row| rows.take(&noted, row));
+    found.iter().for_each(|row| rows.take(&noted, row));
     let mut data = Dataset { axis: (own == 1).then_some(0), ..Dataset::default() };
     rows.tell(&mut data, &mut Results::default(), count);
     data.columns = rows.columns;

@@ -24,6 +24,18 @@ impl Derivation {
         Derivation::new([(symbol, graph.one())])
     }
 
+    /// ∂/∂symbol where definitions are functions of it, each of earlier ones: D d is the derivative of its formula.
+    pub fn through(graph: &mut Graph, definitions: &[(SymbolId, Expr)], symbol: SymbolId) -> Derivation {
+        let mut known = vec![(symbol, graph.one())];
+        for (definition, formula) in definitions {
+            let inner = Derivation::new(known.iter().copied()).apply(graph, *formula);
+            if !graph.is_zero(inner) {
+                known.push((*definition, inner));
+            }
+        }
+        Derivation::new(known)
+    }
+
     /// D e. Switches are differentiated branch by branch, sign x has derivative 0: the result holds off the switching surface.
     pub fn apply(&mut self, graph: &mut Graph, e: Expr) -> Expr {
         if let Some(&known) = self.memo.get(&e) {

@@ -13,8 +13,8 @@ use crate::integrate::Step;
 use crate::{Jacobian, System};
 use algebra::lu::Lu;
 
-/// Fraction between neighbouring points.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Fraction of a step between the points of neighbouring steps at which its inside is looked at.
+pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Rounding of a rate, relative to the largest of its state so far.
 const ROUNDING: f64 = 1e-13;
 /// Share of the limit from which on the terms of a rate are looked at: what is less is no finding, with its rounding or without.

@@ -18,6 +18,7 @@ use words::Text;
 
 use super::ROUNDED;
 use super::blows::STILL;
+use super::defect::GOLDEN;
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -28,7 +29,6 @@ use crate::{GuardKind, Mode, System};
 const PLACES: [f64; 5] = [0.0, 0.1, 0.5, 0.9, 1.0];
 /// Steps that are looked at in all places; later ones in one, that of the golden section.
 const WHOLE: u64 = 512;
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Share of the largest force of the machine that stands for the size of a small one: it is what is left of the large ones.
 const WEAK: f64 = 1e-3;
 /// How many tolerances of a step a speed may err by: beside a reversal it is the error of the step.

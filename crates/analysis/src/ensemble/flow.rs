@@ -3,6 +3,8 @@
 use super::checks::{Checks, Inside};
 use super::length::Lengths;
 use crate::Mode;
+use crate::audits::defect::GOLDEN;
+use crate::integrate::taylor::{DEFECT, OF_RATES as ROUNDING};
 use crate::integrate::{FOUR_TURNS, MOST_TURNS, Step, taken};
 use algebra::gauss::TWELVE;
 use algebra::simd::Lanes;
@@ -10,16 +12,10 @@ use algebra::sum::{Instant, two_sum};
 use program::ensemble::{Ensemble, LANES, Layout, Span, Values};
 use std::sync::Arc;
 
-/// Defects above this multiple of the tolerance take a step back, as in `integrate::taylor::accept`.
-const DEFECT: f64 = 60.0;
-/// Rounding of the rates of a state, in units of the last place of the terms that met in them.
-const ROUNDING: f64 = 64.0;
 /// Steps taken back in a row before the motion is handed back.
 const PATIENCE: u32 = 3;
 /// Share of the prescribed velocities up to which one that changes at a switch does so by rounding of the instant.
 const JUMP: f64 = 1e-13;
-/// Fraction of a step between the points of neighbouring steps at which its inside is looked at.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A motion that is put into a lane.
 pub(crate) struct Fresh<'a> {

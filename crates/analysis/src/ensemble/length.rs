@@ -1,17 +1,11 @@
 //! The length of a step in all lanes: the rule of `integrate::taylor` at a fixed order, since an order that followed one motion would be that of its neighbours.
 
 use crate::integrate::UNIT_SHARE;
-use crate::integrate::taylor::order_for;
+use crate::integrate::taylor::{ROUNDING, SEARCHES, groups, limits, order_for};
 use algebra::elementary;
 use algebra::simd::{Lanes, Simd, Work, dispatch, largest as widest, largest_term, over, scaled, times};
 use program::ensemble::{Ensemble, LANES};
 
-/// See `integrate::taylor::length`.
-const SLACK: f64 = 4.0;
-/// Half a unit in the last place, halved again.
-const ROUNDING: f64 = 1.0 / (1u64 << 54) as f64;
-/// Changes of a length while it is sought.
-const SEARCHES: usize = 300;
 /// A share below this lets a step grow as far as one look allows.
 const NOTHING: f64 = 1e-300;
 /// Adding this leaves a whole number in the last bits.
@@ -40,26 +34,16 @@ pub(crate) struct Lengths {
 impl Lengths {
     pub(super) fn new(tolerance: f64, units: &[&str]) -> Lengths {
         let order = order_for(tolerance);
-        let p = order as f64;
-        let root = elementary::pow(tolerance, 1.0 / p);
-        let mut names: Vec<&str> = Vec::new();
-        let group = units.iter().map(|unit| {
-            names.iter().position(|name| name == unit).unwrap_or_else(|| {
-                names.push(unit);
-                names.len() - 1
-            })
-        });
-        let group: Vec<usize> = group.collect();
-        let bounds: Vec<f64> =
-            (0..=order).map(|k| elementary::powi(root, k as i32) * elementary::powi(SLACK, (order - k) as i32)).collect();
+        let (group, count) = groups(units);
+        let (safety, root, bounds) = limits(tolerance, order);
         Lengths {
             per_bounds: bounds.iter().map(|bound| 1.0 / bound).collect(),
             tolerance,
             order,
-            safety: elementary::exp(-0.7 / (p - 1.0)),
+            safety,
             root,
             scale: vec![[0.0; LANES]; group.len()],
-            largest: vec![[0.0; LANES]; names.len()],
+            largest: vec![[0.0; LANES]; count],
             group,
             powers: vec![[1.0; LANES]; order + 1],
         }

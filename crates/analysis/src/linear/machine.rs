@@ -1,12 +1,14 @@
 //! A linearised machine whose parameters can be changed.
 
+pub mod values;
+
 use std::sync::Arc;
 use words::Message;
 
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::linear::{About, Loads, Timing};
-use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
+use symbolic::{Equations, Expr, Linear, SymbolId};
 use words::Text;
 
 use super::graded::hides;
@@ -266,28 +268,6 @@ impl LinearMachine {
         Ok(())
     }
 
-    /// Generalized forces (index of a coordinate, force) of the equations at rest over time, as a tape.
-    ///
-    /// *Errors*: a symbol without a meaning here.
-    pub fn over_time(&mut self, forces: &[(usize, Expr)]) -> Result<Values, Fault> {
-        let list = self.linear.over_time(forces);
-        let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("force {}", i + 1), *e)).collect();
-        let inputs = Inputs { time: Some(self.linear.time()), ..self.inputs.clone() };
-        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "forces", &inputs, &named)?)))
-    }
-
-    /// Their values at a place and at instants, for the parameters as they are.
-    ///
-    /// *Errors*: no finite value there.
-    pub fn values_over_time(&self, prepared: &Values, place: &Place, times: &[f64]) -> Result<Vec<Vec<f64>>, Fault> {
-        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
-        let states = self.states(place);
-        let mut at = |time: f64| -> Result<Vec<f64>, Fault> {
-            Ok(evaluator.evaluate(&Point { time, states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
-        };
-        times.iter().map(|t| at(*t)).collect()
-    }
-
     /// The matrices at a place.
     ///
     /// *Errors*: an entry has no finite value there.
@@ -509,70 +489,6 @@ impl LinearMachine {
         self.shapes.iter().any(|s| s.parameters.contains(&parameter)) || all.any(|e| on(&known, *e))
     }
 
-    /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
-    ///
-    /// *Errors*: one of them has no finite value.
-    pub fn values_of(&self, list: &[Expr], place: &Place) -> Result<Vec<f64>, Fault> {
-        self.values(&self.prepare(list)?, place)
-    }
-
-    /// Expressions of [`Linear::graph`] as a tape, to be evaluated often.
-    ///
-    /// *Errors*: a symbol without a meaning here.
-    pub fn prepare(&self, list: &[Expr]) -> Result<Values, Fault> {
-        let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("value {}", i + 1), *e)).collect();
-        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "values", &self.inputs, &named)?)))
-    }
-
-    /// The values of prepared expressions.
-    ///
-    /// *Errors*: one of them has no finite value.
-    pub fn values(&self, prepared: &Values, place: &Place) -> Result<Vec<f64>, Fault> {
-        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
-        let states = self.states(place);
-        Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
-    }
-
-    /// The values of prepared expressions in many places.
-    ///
-    /// *Errors*: one of them has no finite value.
-    pub fn values_at(&self, prepared: &Values, places: &[Place]) -> Result<Vec<Vec<f64>>, Fault> {
-        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
-        let one = |place: &Place| -> Result<Vec<f64>, Fault> {
-            let states = self.states(place);
-            Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
-        };
-        places.iter().map(one).collect()
-    }
-
-    /// The mean forces, their derivatives by parameters (parameter by parameter), and the reach of the reactions, as prepared expressions.
-    ///
-    /// *Errors*: a symbol without a meaning here.
-    pub fn forces_by(&mut self, parameters: &[usize]) -> Result<Values, Fault> {
-        let linear = &mut self.linear;
-        let mut seeds: Vec<Vec<(SymbolId, Expr)>> = Vec::new();
-        for p in parameters {
-            // definitions are functions of the parameter too, earlier ones first
-            let mut known = vec![(self.equations.parameters[*p].symbol, linear.graph.one())];
-            for (symbol, formula) in &linear.definitions {
-                let inner = Derivation::new(known.iter().copied()).apply(&mut linear.graph, *formula);
-                if !linear.graph.is_zero(inner) {
-                    known.push((*symbol, inner));
-                }
-            }
-            seeds.push(known);
-        }
-        let mut list = linear.force.clone();
-        for known in seeds {
-            let mut derivation = Derivation::new(known);
-            for force in &linear.force {
-                list.push(derivation.apply(&mut linear.graph, *force));
-            }
-        }
-        list.extend(linear.reach.entries().iter().copied());
-        self.prepare(&list)
-    }
-
     /// Derivatives of numbers that follow from a parameter without a formula, as (index of the number, derivative); empty where nothing follows.
     ///
     /// A central difference over the cube root of rounding: ten digits, of which Newton's method needs the first few.
@@ -613,10 +529,6 @@ impl LinearMachine {
         Ok(found)
     }
 }
-
-/// Prepared expressions.
-#[derive(Clone, Debug)]
-pub struct Values(pub(super) Arc<Tape>);
 
 fn shapes(linear: &mut Linear, inputs: &Inputs, values: &[f64]) -> Result<Vec<Shape>, Fault> {
     let time = linear.time();

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use program::{Evaluator, Point, Tape, lower};
 use symbolic::{Derivation, Expr, SymbolId};
 
-use super::machine::{LinearMachine, Place, Values};
+use super::machine::values::Values;
+use super::machine::{LinearMachine, Place};
 use super::reactions::{LoadParts, Reactions};
 use super::seen::Seen;
 use crate::Fault;

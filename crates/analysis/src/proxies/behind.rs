@@ -15,16 +15,11 @@
 
 use algebra::elementary;
 use program::curve::{Curve, Range};
+use program::faithful::{NEAR, NOTHING, RATIO};
 use program::{Behind, Node, Seen};
 
 use super::points::{Points, spread};
 
-/// How much further than its polynomial a function may range without being looked at closely.
-const RATIO: f64 = 16.0;
-/// Share of the distance to a singular point within which roots, powers, logarithms and quotients show their linear term.
-const NEAR: f64 = 0.4;
-/// What is below this counts as zero.
-const NOTHING: f64 = 1e-100;
 /// A polynomial between Chebyshev's points stays within this multiple of the range of its values there, n <= 16 (Lebesgue's constant).
 const BETWEEN: f64 = 2.5;
 

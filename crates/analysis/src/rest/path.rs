@@ -15,9 +15,9 @@ use std::sync::Arc;
 
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
-use symbolic::{Equations, Expr, Graph};
+use symbolic::{Derivation, Equations, Expr, Graph};
 
-use super::formulas::{at_rest, definitions, seeded};
+use super::formulas::{at_rest, definitions};
 use crate::Fault;
 use crate::connections::surface::{Instant, Slopes, Ways};
 use crate::connections::way::{integrals, sum};
@@ -225,7 +225,7 @@ fn roots(equations: &Equations, conditions: &[usize], graph: &mut Graph) -> Vec<
     let mut list = rows.concat();
     let mut by: Vec<symbolic::Derivation> = Vec::new();
     for coordinate in &equations.coordinates {
-        by.push(seeded(graph, &known, coordinate.symbols[0]));
+        by.push(Derivation::through(graph, &known, coordinate.symbols[0]));
     }
     for row in &rows {
         for e in row {

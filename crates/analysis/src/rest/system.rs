@@ -16,10 +16,10 @@ use std::sync::Arc;
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::connections::Law;
-use symbolic::{Equations, Expr, Graph, SymbolId};
+use symbolic::{Derivation, Equations, Expr, Graph, SymbolId};
 
 use super::doubles::Whole;
-use super::formulas::{at_rest, definitions, seeded};
+use super::formulas::{at_rest, definitions};
 use super::path::Paths;
 use super::sizes::Sizes;
 use crate::Fault;
@@ -147,7 +147,7 @@ impl RestSystem {
         list.extend(roots.list.iter().enumerate().map(|(i, e)| (format!("rest {}", i + 1), *e)));
         let definitions = definitions(equations);
         for (j, symbol) in z.iter().enumerate() {
-            let mut by = seeded(&mut graph, &definitions, *symbol);
+            let mut by = Derivation::through(&mut graph, &definitions, *symbol);
             for (i, e) in roots.list.iter().enumerate() {
                 list.push((format!("rest {} by {}", i + 1, j + 1), by.apply(&mut graph, *e)));
             }

@@ -13,7 +13,8 @@ pub use lines::Line;
 use lines::joined;
 use plane::Plane;
 pub use plane::{Cell, Class, Find, Grid, Node, Place};
-use std::collections::{BTreeSet, HashMap};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
 
 /// A plane with its classes.
 #[derive(Clone, Debug)]
@@ -21,7 +22,7 @@ pub struct Map {
     /// How it was divided.
     pub grid: Grid,
     /// Which of the computed places a node is, counted from 0, and its class.
-    pub nodes: HashMap<Node, (usize, Class)>,
+    pub nodes: FxHashMap<Node, (usize, Class)>,
     /// Cells that are not divided, in order.
     pub cells: Vec<Cell>,
     /// Boundaries.
@@ -37,7 +38,7 @@ pub struct Map {
 /// # Errors
 /// That of the places.
 pub fn map<E>(grid: Grid, find: &mut Find<'_, E>) -> Result<Map, E> {
-    let mut plane = Plane { grid, nodes: HashMap::new(), computed: 0, find };
+    let mut plane = Plane { grid, nodes: FxHashMap::default(), computed: 0, find };
     let step = 1 << grid.refine;
     let lattice = (0..=grid.cells).flat_map(|j| (0..=grid.cells).map(move |i| Node { i: i * step, j: j * step }));
     plane.compute(&lattice.collect::<Vec<_>>())?;
@@ -99,7 +100,7 @@ impl Map {
 /// Cells by their corners.
 #[derive(Clone, Debug)]
 pub struct Index {
-    sizes: HashMap<Node, u32>,
+    sizes: FxHashMap<Node, u32>,
     largest: u32,
 }
 

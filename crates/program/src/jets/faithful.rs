@@ -45,11 +45,11 @@ impl Watched {
 }
 
 /// How much further than its polynomial a function may range without being looked at closely.
-pub(crate) const RATIO: f64 = 16.0;
+pub const RATIO: f64 = 16.0;
 /// Share of the distance to a singular point within which roots, powers, logarithms and quotients show their linear term.
-pub(crate) const NEAR: f64 = 0.4;
+pub const NEAR: f64 = 0.4;
 /// What is below this counts as zero.
-pub(crate) const NOTHING: f64 = 1e-100;
+pub const NOTHING: f64 = 1e-100;
 /// Deepest halving of a step in one look; a feature still narrower is found by the next one.
 const DEPTH: u32 = 20;
 /// Parts looked at to find the largest value of a function.

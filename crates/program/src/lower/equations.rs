@@ -60,7 +60,6 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         released: Arc::new(released(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
-        rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
         connections: Arc::new(if connected { connections(equations, &names, &guards)? } else { nothing(equations, "connections")? }),
         laws: Arc::new(laws(equations, arrangement.kept())?),
         balances: Arc::new(balances(equations)?),
@@ -410,7 +409,7 @@ impl<'e> AtRest<'e> {
         let n = self.equations.coordinates.len();
         let mut entries = vec![self.graph.zero(); formulas.len() * n];
         for (j, coordinate) in self.equations.coordinates.iter().enumerate() {
-            let mut derivation = chain_rule(&mut self.graph, coordinate.symbols[0], &self.moving);
+            let mut derivation = Derivation::through(&mut self.graph, &self.moving, coordinate.symbols[0]);
             for (i, formula) in formulas.iter().enumerate() {
                 entries[i * n + j] = derivation.apply(&mut self.graph, *formula);
             }
@@ -434,41 +433,6 @@ fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
     rest.tape("statics", over_states(equations), &roots)
 }
 
-/// Places, J, what reactions do and how that changes with the position: see [`crate::RestRoots`].
-fn rests(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
-    let mut rest = AtRest::new(equations);
-    let n = equations.coordinates.len();
-    let zero = rest.graph.zero();
-    let mut roots: Vec<(String, Expr)> = Vec::new();
-    for c in &equations.conditions {
-        let place = c.place.map_or(zero, |place| rest.value(place));
-        roots.push((format!("place {}", c.name.en), place));
-    }
-    for c in &equations.conditions {
-        for (entry, q) in sparse(&c.columns, n, zero).into_iter().zip(&names.states) {
-            roots.push((format!("rate {} by {q}", c.name.en), rest.value(entry)));
-        }
-    }
-    let mut loads = vec![Vec::new(); n];
-    for r in &equations.reactions {
-        let unknown = rest.graph.symbol(r.symbol);
-        for (i, e) in &r.forces {
-            let e = rest.value(*e);
-            loads[*i].push(rest.graph.mul(e, unknown));
-        }
-    }
-    let loads: Vec<Expr> = loads.iter().map(|terms| rest.graph.sum(terms)).collect();
-    let derivatives = rest.jacobian(&loads);
-    roots.extend(names.states.iter().map(|s| format!("load {s}")).zip(loads));
-    roots.extend(names.by_coordinates("dload").zip(derivatives));
-    for r in &equations.reactions {
-        for (entry, q) in sparse(&r.forces, n, zero).into_iter().zip(&names.states) {
-            roots.push((format!("{} on {q}", r.name), rest.value(entry)));
-        }
-    }
-    rest.tape("rests", over_reactions(equations), &roots)
-}
-
 /// The definitions that depend on a coordinate, directly or through earlier ones.
 fn over_coordinates(equations: &Equations, graph: &Graph, definitions: &[(SymbolId, Expr)]) -> Vec<(SymbolId, Expr)> {
     let mut varying: HashSet<SymbolId> = equations.coordinates.iter().map(|c| c.symbols[0]).collect();
@@ -480,18 +444,6 @@ fn over_coordinates(equations: &Equations, graph: &Graph, definitions: &[(Symbol
         }
     }
     moving
-}
-
-/// ∂/∂symbol where definitions are functions of it: D d is the derivative of its formula, earlier definitions first.
-fn chain_rule(graph: &mut Graph, symbol: SymbolId, definitions: &[(SymbolId, Expr)]) -> Derivation {
-    let mut seeds = vec![(symbol, graph.one())];
-    for (definition, formula) in definitions {
-        let inner = Derivation::new(seeds.iter().copied()).apply(graph, *formula);
-        if !graph.is_zero(inner) {
-            seeds.push((*definition, inner));
-        }
-    }
-    Derivation::new(seeds)
 }
 
 /// x at the start, over parameters.

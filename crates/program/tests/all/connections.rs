@@ -522,34 +522,6 @@ fn singular_position_names_a_condition() {
     assert_eq!(bound.jets(4).expand(0.0, &x, &[], 4).unwrap_err().singular, Some(singular));
 }
 
-/// Equilibrium of a pendulum of which the rod is a condition, and the derivatives by differences.
-#[test]
-fn rest_with_connections_has_loads_and_their_derivatives() {
-    let bound = bind(&cartesian_pendulum());
-    let roots = bound.program().rest_roots();
-    let mut rests = bound.evaluator(&bound.program().rests).unwrap();
-    let mut at = |x: f64, y: f64, force: f64| {
-        rests.evaluate(&Point { states: &[x, y, 5.0, 6.0], accelerations: &[0.0, 0.0, force], ..Point::default() }).unwrap().to_vec()
-    };
-    let here = at(0.0, -0.6, 0.7 * 9.81);
-    assert_eq!(here.len(), roots.forces.end);
-    close(&here[roots.loads.clone()], &[0.0, 0.7 * 9.81], ROUNDING);
-    close(&here[roots.places.clone()], &[0.0], ROUNDING);
-    let (x, y, force, step) = (0.4, -0.5, 3.0, 1e-5);
-    let here = at(x, y, force);
-    let length = f64::hypot(x, y);
-    close(&here[roots.jacobian.clone()], &[x / length, y / length], ROUNDING);
-    close(&here[roots.forces.clone()], &[-x / length, -y / length], ROUNDING);
-    for (j, (dx, dy)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
-        let (plus, minus) = (at(x + dx, y + dy, force), at(x - dx, y - dy, force));
-        for i in 0..2 {
-            let slope = (plus[roots.loads.start + i] - minus[roots.loads.start + i]) / (2.0 * step);
-            // a central difference: third derivatives below 1000, times step²/6
-            assert!((here[roots.derivatives.start + 2 * i + j] - slope).abs() < DIFFERENCE);
-        }
-    }
-}
-
 /// No coordinates: a beam on two supports.
 #[test]
 fn statics_without_coordinates_give_supports() {
@@ -575,7 +547,7 @@ fn statics_without_coordinates_give_supports() {
 fn tapes_of_connected_machines_read_back() {
     for e in [pressed(3.0), slider_crank(), block(), atwood(1.0, 2.0)] {
         let p = lower::equations(&e).unwrap();
-        for tape in [&p.dynamics, &p.forces, &p.outputs, &p.second, &p.connections, &p.balances, &p.rests] {
+        for tape in [&p.dynamics, &p.forces, &p.outputs, &p.second, &p.connections, &p.balances] {
             program::verify(tape).unwrap();
             let again = text::parse(&tape.to_string()).unwrap();
             assert_eq!(again.to_string(), tape.to_string());

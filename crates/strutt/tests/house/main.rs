@@ -1,6 +1,7 @@
 //! The rules of the house (ARCHITECTURE.md), held against the sources: arrows between crates run down the street, no import circle ties folders or files of a
 //! crate but those that are listed, and every chapter, code and example that a table promises is there.
 
+mod additions;
 mod imports;
 mod numbers;
 mod rows;

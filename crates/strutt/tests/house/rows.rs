@@ -74,7 +74,7 @@ const CHAPTERS: [(&str, &str); 1] = [("simulate", "pendulum")];
 const FILES: [(&str, &str); 1] = [("continue", "continuation")];
 
 /// The name of the files of a study.
-fn file_of(study: &str) -> &str {
+pub fn file_of(study: &str) -> &str {
     FILES.iter().find(|row| row.0 == study).map_or(study, |row| row.1)
 }
 

@@ -3,6 +3,10 @@
 use crate::machine::Machine;
 use analysis::studies::average::{Instant, Place, Turning};
 use mechanics::asked::Named;
+use program::lower::{self, Inputs};
+use program::{Evaluator, Point, Tape};
+use std::cell::RefCell;
+use std::sync::Arc;
 use symbolic::{Equations, Expr, Graph, SymbolId};
 use words::{Notice, Text};
 
@@ -14,26 +18,27 @@ const ROUNDING: f64 = 1e-9;
 /// M q'' - h of a machine with its numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Formulas {
-    graph: Graph,
-    /// q, q', q'' of the rest.
-    rest: Vec<[SymbolId; 3]>,
-    /// φ, φ', φ''.
-    angle: [SymbolId; 3],
-    time: SymbolId,
-    /// Residuals of the rest and of the angle, M_φφ, then the derivatives of the former.
-    roots: Vec<Expr>,
-    /// Nodes below the residuals, and those below all, that change with the turn, operands first.
-    order: [Vec<Expr>; 2],
-    /// Values of the nodes in which numbers alone occur.
-    constants: Vec<f64>,
+    /// Number of coordinates besides the angle.
+    rest: usize,
+    /// Over q of the rest, φ, q' of the rest, φ', auxiliary states; q'' of the rest, φ'': residuals of the rest and of the angle; the same, M_φφ, then the derivatives of the former.
+    tapes: [Arc<Tape>; 2],
+    /// With the numbers of the parameters; they write into registers of their own.
+    evaluators: RefCell<[Evaluator; 2]>,
     /// Numbers of the parameters.
     numbers: Vec<f64>,
-    /// Symbols of the equations of the rest.
-    of_rest: Vec<SymbolId>,
+    /// Parameters, by number, in the equations of the rest, and whether time is.
+    of_rest: Vec<usize>,
     /// The instant at which formulas of time stand, s.
     instant: f64,
-    /// q'' of the angle is 0 here, auxiliary states too: they must not matter.
-    auxiliaries: Vec<SymbolId>,
+    /// Auxiliary states; they must not matter.
+    auxiliaries: usize,
+}
+
+/// Which of the tapes.
+#[derive(Clone, Copy)]
+enum Asked {
+    Residuals,
+    All,
 }
 
 impl Formulas {
@@ -56,24 +61,24 @@ impl Formulas {
         let roots = roots(equations, own, &mut graph);
         // of the angle's own equation and its inertia the answers of the rest do not depend
         let answered: Vec<Expr> = roots.iter().enumerate().filter(|(k, _)| *k != n - 1 && *k != n).map(|(_, e)| *e).collect();
-        let of_rest = graph.symbols_in(&answered);
-        let auxiliaries: Vec<SymbolId> = equations.auxiliaries.iter().map(|a| a.symbol).collect();
-        let moving: Vec<SymbolId> = rest.iter().chain([&symbols]).flatten().chain(&auxiliaries).copied().collect();
-        let order = [&roots[..n], &roots[..]].map(|roots| changing(&graph, roots, &moving));
-        let mut formulas = Formulas {
-            graph,
-            rest,
-            angle: symbols,
-            time: equations.time,
-            roots,
-            order,
-            constants: Vec::new(),
-            numbers: Vec::new(),
-            of_rest,
-            instant,
-            auxiliaries,
+        let met = graph.symbols_in(&answered);
+        let of_rest = (0..equations.parameters.len()).filter(|k| met.contains(&equations.parameters[*k].symbol)).collect();
+        let order = |which: usize| rest.iter().chain([&symbols]).map(move |own| own[which]);
+        let inputs = Inputs {
+            parameters: equations.parameters.iter().map(|p| p.symbol).collect(),
+            time: Some(equations.time),
+            states: order(0).chain(order(1)).chain(equations.auxiliaries.iter().map(|a| a.symbol)).collect(),
+            accelerations: order(2).collect(),
+            ..Inputs::default()
         };
-        formulas.put(equations);
+        let tape = |name: &str, roots: &[Expr]| -> Result<Arc<Tape>, Notice> {
+            let named: Vec<(String, Expr)> = roots.iter().enumerate().map(|(k, e)| (format!("{name} {}", k + 1), *e)).collect();
+            lower::expressions(&graph, name, &inputs, &named).map(Arc::new).map_err(|fault| analysis::Fault::from(fault).into())
+        };
+        let tapes = [tape("residual", &roots[..n])?, tape("turn", &roots)?];
+        let numbers: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        let evaluators = RefCell::new(bound(&tapes, &numbers)?);
+        let formulas = Formulas { rest: n - 1, tapes, evaluators, numbers, of_rest, instant, auxiliaries: equations.auxiliaries.len() };
         if formulas.depends_on_clocks() {
             return Err(refused((
                 "another rotation (an unbalanced rotor with a speed of its own) acts on it besides the angle",
@@ -91,9 +96,9 @@ impl Formulas {
 
     /// Whether the equations are the same a turn further, where angles are rounded.
     fn repeats(&self) -> bool {
-        let still = vec![0.0; self.rest.len()];
+        let still = vec![0.0; self.rest];
         let at =
-            |angle: f64| self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, 0.0, &self.roots);
+            |angle: f64| self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, 0.0, Asked::All);
         (0..LOOKED).all(|k| {
             let (here, there) = (at(k as f64), at(k as f64 + std::f64::consts::TAU));
             let largest = here.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
@@ -102,70 +107,68 @@ impl Formulas {
     }
 
     /// Takes over the numbers of the parameters.
-    pub(super) fn put(&mut self, equations: &Equations) {
-        self.numbers = vec![0.0; self.graph.symbol_count()];
-        equations.parameters.iter().for_each(|p| self.numbers[p.symbol.index()] = p.value);
-        self.numbers[self.time.index()] = self.instant;
-        // what moves stands at 0 here and is put in at each place
-        let mut known = vec![0.0; self.graph.len()];
-        for e in self.graph.reachable(&self.roots) {
-            known[e.index()] = self.graph.evaluate_node(e, &|s| self.numbers[s.index()], &|c| known[c.index()]);
-        }
-        self.constants = known;
+    ///
+    /// *Errors*: values with which a formula of them has none.
+    pub(super) fn put(&mut self, equations: &Equations) -> Result<(), Notice> {
+        self.numbers = equations.parameters.iter().map(|p| p.value).collect();
+        self.evaluators = RefCell::new(bound(&self.tapes, &self.numbers)?);
+        Ok(())
     }
 
     /// The numbers in the equations of the rest: where they are the same, its answers are.
     pub(super) fn basis(&self) -> Vec<f64> {
-        self.of_rest.iter().map(|symbol| self.numbers[symbol.index()]).collect()
+        self.of_rest.iter().map(|k| self.numbers[*k]).collect()
     }
 
     /// Whether a residual changes with an auxiliary state.
     fn depends_on_clocks(&self) -> bool {
-        let still = vec![0.0; self.rest.len()];
+        let still = vec![0.0; self.rest];
         let at = |k: usize, clock: f64| {
             let angle = std::f64::consts::TAU * k as f64 / LOOKED as f64;
-            self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, clock, &self.roots)
+            self.values(&Place { angle, speed: 1.0, values: &still, rates: &still, accelerations: &still }, clock, Asked::Residuals)
         };
         (0..LOOKED).any(|k| {
             let before = at(k, 0.0);
-            [1.0, 2.3].iter().any(|clock| at(k, *clock)[..=self.rest.len()] != before[..=self.rest.len()])
+            [1.0, 2.3].iter().any(|clock| at(k, *clock) != before)
         })
     }
 
-    /// The first of the roots, or all.
-    fn values(&self, place: &Place<'_>, clock: f64, roots: &[Expr]) -> Vec<f64> {
-        let mut numbers = self.numbers.clone();
-        let mut set = |symbol: SymbolId, value: f64| numbers[symbol.index()] = value;
-        set(self.angle[0], place.angle);
-        set(self.angle[1], place.speed);
-        set(self.angle[2], 0.0);
-        self.auxiliaries.iter().for_each(|symbol| set(*symbol, clock));
-        for (i, symbols) in self.rest.iter().enumerate() {
-            set(symbols[0], place.values[i]);
-            set(symbols[1], place.rates[i]);
-            set(symbols[2], place.accelerations[i]);
-        }
-        let mut known = self.constants.clone();
-        let value = |s: SymbolId| numbers[s.index()];
-        for e in &self.order[usize::from(roots.len() > self.rest.len() + 1)] {
-            known[e.index()] = self.graph.evaluate_node(*e, &value, &|c| known[c.index()]);
-        }
-        roots.iter().map(|e| known[e.index()]).collect()
+    /// What is asked, with the auxiliary states at a value; not-a-number where one of them has no value.
+    fn values(&self, place: &Place<'_>, clock: f64, asked: Asked) -> Vec<f64> {
+        let states: Vec<f64> = place
+            .values
+            .iter()
+            .chain([&place.angle])
+            .chain(place.rates)
+            .chain([&place.speed])
+            .copied()
+            .chain(std::iter::repeat_n(clock, self.auxiliaries))
+            .collect();
+        let accelerations: Vec<f64> = place.accelerations.iter().copied().chain([0.0]).collect();
+        let point = Point { time: self.instant, states: &states, accelerations: &accelerations, ..Point::default() };
+        let count = self.tapes[asked as usize].roots.len();
+        self.evaluators.borrow_mut()[asked as usize].evaluate(&point).map_or_else(|_| vec![f64::NAN; count], <[f64]>::to_vec)
     }
 }
 
 impl Turning for Formulas {
     fn others(&self) -> usize {
-        self.rest.len()
+        self.rest
     }
     fn at(&self, place: &Place<'_>) -> Instant {
-        let all = self.values(place, 0.0, &self.roots);
-        let n = self.rest.len() + 1;
+        let all = self.values(place, 0.0, Asked::All);
+        let n = self.rest + 1;
         Instant { residuals: all[..n].to_vec(), inertia: all[n], slopes: all[n + 1..].to_vec() }
     }
     fn residuals(&self, place: &Place<'_>) -> Vec<f64> {
-        self.values(place, 0.0, &self.roots[..=self.rest.len()])
+        self.values(place, 0.0, Asked::Residuals)
     }
+}
+
+/// The tapes with the numbers of the parameters.
+fn bound(tapes: &[Arc<Tape>; 2], numbers: &[f64]) -> Result<[Evaluator; 2], Notice> {
+    let of = |tape: &Arc<Tape>| Evaluator::new(tape, numbers).map_err(|fault| Notice::from(analysis::Fault::from(fault)));
+    Ok([of(&tapes[0])?, of(&tapes[1])?])
 }
 
 /// Residuals of the rest and of the angle, M_φφ, then the derivatives of the former by q, q', q''.
@@ -195,19 +198,6 @@ fn roots(equations: &Equations, own: usize, graph: &mut Graph) -> Vec<Expr> {
         }
     }
     roots
-}
-
-/// The nodes below these that change with the turn, operands first.
-fn changing(graph: &Graph, roots: &[Expr], moving: &[SymbolId]) -> Vec<Expr> {
-    let mut moves = vec![false; graph.len()];
-    let mut below = graph.reachable(roots);
-    for e in &below {
-        let mut any = graph.as_symbol(*e).is_some_and(|symbol| moving.contains(&symbol));
-        graph.for_each_child(*e, |child| any |= moves[child.index()]);
-        moves[e.index()] = any;
-    }
-    below.retain(|e| moves[e.index()]);
-    below
 }
 
 /// S161.

@@ -1,29 +1,30 @@
 //! Speeds of steady turning over a parameter: branches, folds, and motions beside them.
 
+use super::curves::{Bend, Knot, Side, joined};
 use super::formulas::Formulas;
-use super::motions::Motions;
+use super::motions::{Ran, Runs, Way};
+use super::show::Shown;
 use super::tell::{asked_for, balance_words, gaps, json_of, nothing_repeats, several};
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::machine::bind::Binding;
 use crate::provenance;
 use crate::repeat::quantity;
-use crate::results::{Fact, Results};
+use crate::results::{Body, Fact, Results};
 use crate::watch::Watch;
 use algebra::arrange::Arrange as _;
 use analysis::dataset::{Column, Missing};
 use analysis::studies::average::{Course, Steady, Summit, Turn, carried, steady, steady_again, turns};
 use analysis::{Dataset, Quantity};
 use mechanics::asked::{Asked, Named};
-use mechanics::model::Plot;
-use report::figure::Pen;
 use serde_json::{Value, json};
+use std::sync::Arc;
 use words::{Notice, Text};
 
 /// Speeds and values without a wish.
 const POINTS: usize = 61;
-/// Motions that are laid beside.
-const MOTIONS: usize = 13;
+/// The word for motions each of which begins where its neighbour ended.
+pub(super) const NEIGHBOUR: &str = "neighbour";
 /// Halvings of the way to another value on which an extreme is lost.
 const HALVINGS: usize = 4;
 /// Values at which the height of an extreme is looked at, to where they are neighbours.
@@ -34,17 +35,20 @@ struct Along {
     /// Speeds of steady turning at each value.
     speeds: Vec<(f64, Vec<Steady>)>,
     folds: Vec<Fold>,
-    /// Mean speeds of motions.
-    motions: Vec<(f64, f64)>,
+    /// The speeds joined over the folds.
+    curves: Vec<Vec<Knot>>,
+    /// Motions of the machine.
+    runs: Vec<Ran>,
 }
 
 /// Balance that is left at a fold, as a share of its moments: what the halvings and AGREE of turns leave.
 const MET: f64 = 1e-8;
 
-/// A fold: the parameter, and the turn there.
+/// A fold: the parameter, the turn there, and on which side of it the two speeds are.
 struct Fold {
     value: f64,
     turn: Turn,
+    side: Side,
 }
 
 struct Walk<'a> {
@@ -68,7 +72,7 @@ impl Walk<'_> {
     /// The formulas at a value.
     fn put(&mut self, value: f64) -> Result<(), Notice> {
         match self.machine.bind(&[(self.name, value)]).map_err(in_words)? {
-            Binding::Numbers => self.formulas.put(&self.machine.equations),
+            Binding::Numbers => self.formulas.put(&self.machine.equations)?,
             Binding::Anew => {
                 self.formulas = Formulas::of(&self.machine, &self.angle, self.instant)?;
                 self.before = None;
@@ -112,8 +116,9 @@ impl Walk<'_> {
                 (false, true) => [(b, far), (a, summit.clone())],
                 _ => continue,
             };
-            count += if ends[0].0 == a { -2 } else { 2 };
-            all.extend(self.fold(old, ends)?);
+            let side = if ends[0].0 == a { Side::Before } else { Side::Behind };
+            count += if side == Side::Before { -2 } else { 2 };
+            all.extend(self.fold(old, (ends, side))?);
         }
         if count != new.steady.len() as isize {
             self.open.push([a, b]);
@@ -137,7 +142,7 @@ impl Walk<'_> {
     }
 
     /// Where the height of an extreme passes zero between two values: the secant, with the weight of an end that stays halved (Illinois).
-    fn fold(&mut self, course: &Course, [mut with, mut without]: [(f64, Summit); 2]) -> Result<Option<Fold>, Notice> {
+    fn fold(&mut self, course: &Course, ([mut with, mut without], side): ([(f64, Summit); 2], Side)) -> Result<Option<Fold>, Notice> {
         let mut weights = [with.1.height(), without.1.height()];
         let mut kept = None;
         for k in 0..TRIED {
@@ -164,7 +169,7 @@ impl Walk<'_> {
         }
         let best = if with.1.height().abs() < without.1.height().abs() { with } else { without };
         let size = |turn: &Turn| turn.own.abs().max(turn.vibration.abs());
-        let fold = Fold { value: best.0, turn: best.1.turn().clone() };
+        let fold = Fold { value: best.0, turn: best.1.turn().clone(), side };
         // an end of the interval is no fold
         Ok(Some(fold).filter(|fold| fold.turn.balance().abs() <= MET * size(&fold.turn)))
     }
@@ -190,6 +195,7 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
         open: Vec::new(),
     };
     let (mut found, mut folds): (Vec<(f64, Vec<Steady>)>, Vec<Fold>) = (Vec::new(), Vec::new());
+    let mut bends = Vec::new();
     let mut last: Option<(f64, Course)> = None;
     for k in 0..count {
         if watch.is_interrupted() {
@@ -201,24 +207,34 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
         let value = if k + 1 == count { to } else { from + (to - from) * k as f64 / (count - 1) as f64 };
         let course = walk.steady(value, last.as_ref().map(|(_, course)| course))?;
         if let Some((before, old)) = &last {
-            folds.extend(walk.folds((*before, old), (value, &course))?);
+            let fresh = walk.folds((*before, old), (value, &course))?;
+            bends.extend(fresh.iter().map(|f| Bend { behind: k - 1, value: f.value, speed: f.turn.speed, side: f.side }));
+            folds.extend(fresh);
         }
         found.push((value, course.steady.clone()));
         last = Some((value, course));
     }
-    let motions = match asked.number("runs") {
-        Some(until) => of_machine(machine, (name, &walk.angle), [from, to], (until, watch))?,
+    let runs = match asked.number("runs") {
+        Some(until) => {
+            let runs = Runs { name, angle: &walk.angle.name, ends: [from, to], until };
+            if asked.word("runs_from") == Some(NEIGHBOUR) { runs.forth_and_back(machine, watch)? } else { runs.from_start(machine, watch)? }
+        }
         None => Vec::new(),
     };
-    let data = table(machine, name, &found, &motions);
+    let data = table(machine, name, &found, &runs);
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     results.data.partial = watch.is_interrupted();
-    results.pen = Pen::Dots;
-    let mut drawn = vec!["stable", "unstable"];
-    drawn.extend((!motions.is_empty()).then_some("motion"));
-    results.plots = vec![Plot { title: Text::default(), x: Some(name.to_owned()), y: drawn.into_iter().map(str::to_owned).collect() }];
+    let speeds = found.iter().map(|(value, list)| (*value, list.iter().map(|s| (s.turn.speed, s.stable)).collect()));
+    let curves = joined(&speeds.collect::<Vec<_>>(), &bends);
+    results.body = Body::After(Arc::new(Shown {
+        parameter: quantity(machine, name),
+        speed: "Ω".into(),
+        curves: curves.clone(),
+        folds: folds.iter().map(|fold| [fold.value, fold.turn.speed]).collect(),
+        runs: runs.clone(),
+    }));
     let lacking: Vec<Text> = gaps(walk.gaps).into_iter().chain(unclosed(&walk.open)).chain(walk.several.1).collect();
-    tell(machine, name, &Along { speeds: found, folds, motions }, results);
+    tell(machine, name, &Along { speeds: found, folds, curves, runs }, results);
     results.words.extend(lacking);
     Ok(())
 }
@@ -243,47 +259,31 @@ fn unclosed(list: &[[f64; 2]]) -> Option<Text> {
     })
 }
 
-/// Mean speeds of motions at equally spaced values.
-fn of_machine(
-    machine: &Machine,
-    (name, angle): (&str, &Named),
-    [from, to]: [f64; 2],
-    (until, watch): (f64, &Watch),
-) -> Result<Vec<(f64, f64)>, Notice> {
-    let mut motions = Motions::new(machine, &angle.name, until)?;
-    let mut all = Vec::with_capacity(MOTIONS);
-    for k in 0..MOTIONS {
-        let value = from + (to - from) * k as f64 / (MOTIONS - 1) as f64;
-        if watch.is_interrupted() {
-            break;
-        }
-        all.push((value, motions.speed(&[(name.to_owned(), value)], watch)?));
-    }
-    Ok(all)
-}
-
-fn table(machine: &Machine, name: &str, found: &[(f64, Vec<Steady>)], motions: &[(f64, f64)]) -> Dataset {
+fn table(machine: &Machine, name: &str, found: &[(f64, Vec<Steady>)], runs: &[Ran]) -> Dataset {
     let rows = found.iter().flat_map(|(value, list)| list.iter().map(move |s| (*value, s)));
     let own = |label: Text, name: &str, symbol: &str, unit: &str| Quantity { symbol: symbol.into(), label, ..Quantity::new(name, unit) };
     let stable = Text::new("stable speed", "устойчивая скорость");
     let unstable = Text::new("unstable speed", "неустойчивая скорость");
-    let motion = Text::new("mean speed of the motion itself", "средняя скорость самого движения");
     let quantities = [
         quantity(machine, name),
         own(stable, "stable", "Ω_s", "rad/s"),
         own(unstable, "unstable", "Ω_u", "rad/s"),
         own(Text::new("departure from uniform turning", "отклонение от равномерного вращения"), "ripple", "ε", "rad"),
-        own(motion, "motion", "ω", "rad/s"),
     ];
-    let mut columns: Vec<Column> = quantities.into_iter().map(|quantity| Column { quantity, values: Vec::new() }).collect();
-    let mut push = |row: [f64; 5]| columns.iter_mut().zip(row).for_each(|(column, value)| column.values.push(value));
+    let ways: Vec<Way> = Way::ALL.into_iter().filter(|way| runs.iter().any(|ran| ran.way == *way)).collect();
+    let of_runs = ways.iter().map(|way| own(way.label(), way.names().0, "ω", "rad/s"));
+    let mut columns: Vec<Column> = quantities.into_iter().chain(of_runs).map(|quantity| Column { quantity, values: Vec::new() }).collect();
+    let mut push = |row: &[f64]| {
+        let values = row.iter().copied().chain(std::iter::repeat(f64::NAN));
+        columns.iter_mut().zip(values).for_each(|(column, value)| column.values.push(value));
+    };
     for (value, s) in rows {
         let speed = |wanted: bool| if s.stable == wanted { s.turn.speed } else { f64::NAN };
-        push([value, speed(true), speed(false), s.turn.ripple, f64::NAN]);
+        push(&[value, speed(true), speed(false), s.turn.ripple]);
     }
-    motions.iter().for_each(|(value, speed)| push([*value, f64::NAN, f64::NAN, f64::NAN, *speed]));
-    if motions.is_empty() {
-        columns.pop();
+    for ran in runs {
+        let of = ways.iter().map(|way| if *way == ran.way { ran.speed } else { f64::NAN });
+        push(&[ran.value, f64::NAN, f64::NAN, f64::NAN].into_iter().chain(of).collect::<Vec<_>>());
     }
     let mut data = Dataset { axis: None, columns, ..Dataset::default() };
     let words = Text::new(
@@ -297,7 +297,7 @@ fn table(machine: &Machine, name: &str, found: &[(f64, Vec<Steady>)], motions: &
 }
 
 fn tell(machine: &Machine, name: &str, along: &Along, results: &mut Results) {
-    let Along { speeds: found, folds, motions } = along;
+    let Along { speeds: found, folds, curves, runs } = along;
     let quantity = quantity(machine, name);
     for (k, fold) in folds.iter().enumerate() {
         let label = Text::new("fold: two speeds meet", "поворотная точка: две скорости сливаются");
@@ -314,5 +314,9 @@ fn tell(machine: &Machine, name: &str, along: &Along, results: &mut Results) {
     let rows = |(value, list): &(f64, Vec<Steady>)| json!({"value": value, "speeds": list.iter().map(json_of).collect::<Vec<Value>>()});
     results.own.insert("branches".into(), found.iter().map(rows).collect());
     results.own.insert("folds".into(), folds.iter().map(|f| json!({"parameter": f.value, "speed": f.turn.speed})).collect());
-    results.own.insert("runs".into(), motions.iter().map(|(value, speed)| json!({"value": value, "speed": speed})).collect());
+    results
+        .own
+        .insert("runs".into(), runs.iter().map(|ran| json!({"value": ran.value, "speed": ran.speed, "from": ran.way.names().1})).collect());
+    let knot = |knot: &Knot| json!({"value": knot.value, "speed": knot.speed, "stable": knot.stable});
+    results.own.insert("curves".into(), curves.iter().map(|curve| curve.iter().map(knot).collect::<Vec<Value>>()).collect());
 }

@@ -9,7 +9,7 @@ use mechanics::asked::{Asked, Value};
 /// Most points of a branch without a wish.
 const POINTS: usize = 2000;
 /// The same of a backbone curve: amplitudes grow without bound where the frequency does not.
-const POINTS_FREE: usize = 300;
+pub(super) const POINTS_FREE: usize = 300;
 /// The same of branches of a backbone curve: at high energies internal resonances part from one another without end.
 const BRANCHES_FREE: usize = 1;
 /// Name of the frequency of free oscillations, which is no parameter of the file.
@@ -36,6 +36,8 @@ pub(super) struct Branched {
     pub(super) second: Option<Beside>,
     /// What is followed.
     pub(super) of: Followed,
+    /// The backbone curve that is laid over it.
+    pub(super) backbone: Option<Wanted>,
     /// Place of the study of the file that says what a period is: its formulas are read anew with other values.
     pub(super) place: std::ops::Range<usize>,
 }
@@ -49,6 +51,15 @@ pub(super) struct Beside {
     pub(super) range: [f64; 2],
     /// Its value in the file.
     pub(super) here: f64,
+}
+
+/// The machine without losses and loads, and its mode.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    /// Values with which nothing is lost and nothing drives.
+    pub(super) values: Vec<(String, f64)>,
+    /// Number of the mode, from 1.
+    pub(super) mode: usize,
 }
 
 /// What is followed.
@@ -86,6 +97,7 @@ impl Branched {
             branches: asked.count("branches").unwrap_or(BRANCHES),
             second: second(machine, asked),
             of: source.map_or(Followed::Rest, |source| Followed::Orbits(Box::new(Periodic::of(source)))),
+            backbone: values(asked).map(|values| Wanted { values, mode: asked.count("mode").unwrap_or(1) }),
             place: source.map_or(0..0, |source| source.span.clone()),
         }
     }
@@ -103,9 +115,16 @@ impl Branched {
             branches: asked.count("branches").unwrap_or(BRANCHES_FREE),
             second: None,
             of: Followed::Free { mode: asked.count("mode").unwrap_or(1), range },
+            backbone: None,
             place: 0..0,
         }
     }
+}
+
+/// The values of the key `backbone`: the first of each list.
+fn values(asked: &Asked) -> Option<Vec<(String, f64)>> {
+    let Some(Value::Ranges(ranges)) = asked.get(BACKBONE) else { return None };
+    Some(ranges.iter().filter_map(|range| Some((range.name.clone(), *range.values.first()?))).collect())
 }
 
 /// The stretch of the key `second` with the value that the machine has.

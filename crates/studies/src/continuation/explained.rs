@@ -121,4 +121,14 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
              переключается контакт, сухое трение или формула либо многочлены не сходятся, ветвь там обрывается.",
         ),
     ),
+    plain(
+        "S168",
+        ("a backbone curve needs the frequency of a load", "скелетная кривая строится по частоте нагрузки"),
+        (
+            "With `backbone` the study `continue` lays the free oscillations of the machine without losses and loads over its frequency response. Both have one axis only where the parameter is the frequency of the load, in \
+             rad/s or Hz: period = \"2*pi/w\" with parameter = \"w\".",
+            "С ключом `backbone` расчёт `continue` показывает поверх амплитудно-частотной характеристики свободные колебания машины без потерь и нагрузок. Общая ось у них есть лишь тогда, когда параметр — частота нагрузки в рад/с \
+             или Гц: period = \"2*pi/w\" при parameter = \"w\".",
+        ),
+    ),
 ];

@@ -1,6 +1,7 @@
 //! The diagram: stable parts of branches solid, unstable ones dashed, special points marked by their numbers.
 
 use super::asked::{Branched, coordinates, symbol, unit};
+use super::beside::Spine;
 use super::creases::Chart;
 use crate::machine::Machine;
 use crate::results::{Results, Show, View};
@@ -19,6 +20,8 @@ pub(super) struct Shown {
     /// For each branch its points: parameter, greatest values of the coordinates, whether stable.
     curves: Vec<Vec<Point>>,
     special: Vec<Point>,
+    /// Free oscillations over the same parameter.
+    spine: Option<Spine>,
     /// The plane of both parameters.
     chart: Option<Chart>,
 }
@@ -38,12 +41,13 @@ impl Point {
 }
 
 impl Shown {
-    pub(super) fn new(machine: &Machine, study: &Branched, diagram: &Diagram) -> Shown {
+    pub(super) fn new(machine: &Machine, study: &Branched, (diagram, spine): (&Diagram, Option<Spine>)) -> Shown {
         Shown {
             parameter: Quantity { symbol: symbol(machine, &study.name), ..Quantity::new(&study.name, &unit(machine, &study.name)) },
             coordinates: coordinates(machine),
             curves: diagram.curves.iter().map(|curve| curve.places.iter().map(Point::of).collect()).collect(),
             special: diagram.special.iter().map(|(_, _, special)| Point::of(&special.place)).collect(),
+            spine,
             chart: Chart::new(machine, study, diagram),
         }
     }
@@ -99,6 +103,13 @@ impl Show for Shown {
                     pen: Pen::Line,
                 })
             });
+            let spine = self.spine.as_ref().map(|spine| Series {
+                name: q.symbol.clone(),
+                label: language.pick("backbone curve", "скелетная кривая").into(),
+                x: spine.points.iter().map(|p| p.parameter).collect(),
+                y: spine.points.iter().map(|p| p.extremes[i][1]).collect(),
+                pen: Pen::Line,
+            });
             let mark = |(k, point): (usize, &Point)| Mark::Point { x: point.parameter, y: point.greatest[i], label: (k + 1).to_string() };
             let title = language.pick(
                 format!("Branches: greatest {} over {}", q.symbol, self.parameter.symbol),
@@ -110,7 +121,7 @@ impl Show for Shown {
                 kind: Kind::Plane { equal: false },
                 x: axis(&self.parameter, all().map(|p| p.parameter).collect()),
                 y: axis(q, all().map(|p| p.greatest[i]).collect()),
-                series: series.collect(),
+                series: series.chain(spine).collect(),
                 marks: self.special.iter().enumerate().map(mark).collect(),
                 along: None,
                 strip: Vec::new(),

@@ -1,6 +1,7 @@
 //! Branches as rows, fields of JSON and sentences.
 
 use super::asked::{Branched, coordinates, symbol, unit};
+use super::beside::Spine;
 use super::creases;
 use super::phrases::{end_in_words, name, state};
 use super::show::Shown;
@@ -18,7 +19,7 @@ use std::sync::Arc;
 use words::{Language, Text};
 
 /// Puts a diagram into results.
-pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, results: &mut Results) {
+pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diagram, Option<Spine>), results: &mut Results) {
     results.data = provenance::stamp(dataset(machine, study, diagram), &machine.equations, &machine.model_hash);
     results
         .own
@@ -76,7 +77,13 @@ pub(super) fn tell(machine: &Machine, study: &Branched, diagram: &Diagram, resul
         "Прослежено то, что связано с исходным движением; отдельно лежащие замкнутые ветви не разыскиваются.",
     ));
     creases::tell(machine, study, diagram, results);
-    results.body = Body::After(Arc::new(Shown::new(machine, study, diagram)));
+    if let Some(spine) = &spine {
+        let label = machine.model.parameters.iter().find(|p| p.name == study.name).map(|p| p.label.clone()).unwrap_or_default();
+        let (symbol, unit) = (symbol(machine, &study.name), unit(machine, &study.name));
+        let parameter = Quantity { symbol, label, ..Quantity::new(&study.name, &unit) };
+        spine.tell((&parameter, &coordinates(machine)), results);
+    }
+    results.body = Body::After(Arc::new(Shown::new(machine, study, (diagram, spine))));
 }
 
 /// Share of a parameter below which what is not known of it is no digit of the table.

@@ -8,6 +8,7 @@ use crate::repeat::course::Course;
 use crate::repeat::gathered::{Gathered, Row};
 use crate::repeat::journal::{self, Head};
 use crate::repeat::many::{self, Shared};
+use crate::repeat::stated::stated;
 use crate::repeat::{At, Repeated};
 use crate::stability::plane::Plane;
 use crate::watch::Watch;
@@ -15,6 +16,7 @@ use analysis::studies::map::{Class, Grid, Place};
 use analysis::studies::stability::Verdict;
 use mechanics::asked::Asked;
 use mechanics::model::SweepRange;
+use serde_json::json;
 use words::{Notice, Text};
 
 /// Places that a thread takes at once.
@@ -53,8 +55,8 @@ impl<'a, 'w> Places<'a, 'w> {
         watch: &'a mut Watch<'w>,
     ) -> Result<Places<'a, 'w>, Notice> {
         let gathered = Gathered::new(machine, ranges, &repeated.noted);
-        let same = format!("{:?} {:?} {:?}", asked.values(), repeated.base, grid);
-        let same = format!("strutt {} model {} map {:016x}", provenance::VERSION, machine.model_hash, journal::checksum(&same));
+        let same = json!([stated(asked), stated(&repeated.base), grid.cells, grid.refine, format!("{:016x}", grid.accuracy.to_bits())]);
+        let same = format!("strutt {} model {} map {:016x}", provenance::VERSION, machine.model_hash, journal::checksum(&same.to_string()));
         let most = usize::try_from(grid.places()).unwrap_or(usize::MAX);
         // how many places there will be nobody knows: more than ten times the lattice there are not
         let head = Head::new(same, [most.saturating_mul(10), 1], journal::WHOLE, (gathered.own, &gathered.columns));

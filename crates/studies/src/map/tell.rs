@@ -13,7 +13,6 @@ use crate::results::{Body, Fact, Results};
 use crate::stability;
 use crate::stability::plane::{Over, Plane};
 use crate::watch::Watch;
-use algebra::arrange::Arrange;
 use analysis::dataset::{Column, Labels, Missing};
 use analysis::studies::map::{Grid, Map, map};
 use analysis::{Dataset, Quantity};
@@ -139,14 +138,9 @@ fn table(
     rows: &[Row],
     results: &mut Results,
 ) -> Dataset {
-    let mut order: Vec<usize> = (0..rows.len()).collect();
-    let key = |row: &Row| [0, 1].map(|k| row.values.get(k).map_or(f64::NAN, |(_, value)| *value));
-    order.arrange_by(|a, b| {
-        let (a, b) = (key(&rows[*a]), key(&rows[*b]));
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
-    });
+    let order = in_order(rows);
     let mut gathered = Gathered::new(machine, ranges, &repeated.noted);
-    order.iter().for_each(|k| gathered.take(&repeated.noted, rows[*k].clone()));
+    order.iter().for_each(|k| gathered.take(&repeated.noted, &rows[*k]));
     let mut data = Dataset::default();
     let mut without = gathered.tell(&mut data, results, rows.len());
     without.extend(partly_absent(&gathered.columns[gathered.own..], &without));
@@ -158,6 +152,21 @@ fn table(
         data.labels.push(Labels { name: "regime".into(), words: names.iter().map(|name| name.en.clone()).collect(), rows: list });
     }
     data
+}
+
+/// Positions of the rows by their first values, then by their second ones; rows of one place stay as they are.
+fn in_order(rows: &[Row]) -> Vec<usize> {
+    // a quarter of a million places: whole numbers that ascend as the values do are sorted in a tenth of the time of the values themselves
+    let key = |row: &Row, k: usize| ascending(row.values.get(k).map_or(f64::NAN, |(_, value)| *value));
+    let mut order: Vec<([u64; 2], usize)> = rows.iter().enumerate().map(|(k, row)| ([key(row, 0), key(row, 1)], k)).collect();
+    order.sort_unstable();
+    order.into_iter().map(|(_, k)| k).collect()
+}
+
+/// A whole number that ascends as numbers do in their total order: the bits of negative ones turned round, those of others behind them.
+fn ascending(value: f64) -> u64 {
+    let bits = value.to_bits();
+    if value.is_sign_negative() { !bits } else { bits | 1 << 63 }
 }
 
 /// What is told of a finished map.
@@ -179,13 +188,14 @@ impl Told<'_> {
             count("curves", "n", self.map.lines.len() as f64, "curves of boundaries", "линий границ"),
             count("lattice", "N_max", self.map.grid.places() as f64, "places of the finest lattice", "точек самой мелкой сетки"),
         ]);
-        for (class, share) in self.map.shares() {
+        let shares = self.map.shares();
+        for &(class, share) in &shares {
             let name = &self.names[class];
             let label = Text::new(format!("share of the plane: {}", or_all(name).en), format!("доля плоскости: {}", or_all(name).ru));
             results.facts.push(Fact::new(&format!("share_{}", class + 1), &format!("s_{}", class + 1), "1", share, label));
         }
         let shares: serde_json::Map<String, Value> =
-            self.map.shares().into_iter().map(|(class, share)| (or_all(&self.names[class]).en, json!(share))).collect();
+            shares.into_iter().map(|(class, share)| (or_all(&self.names[class]).en, json!(share))).collect();
         results.own.insert("shares".into(), Value::Object(shares));
     }
 

@@ -119,26 +119,26 @@ impl Gathered {
     }
 
     /// The row of one run.
-    pub(crate) fn take(&mut self, wanted: &[Noted], row: Row) {
+    pub(crate) fn take(&mut self, wanted: &[Noted], row: &Row) {
         let Row { values, numbers, audit, stands, anew, regime, .. } = row;
         if !self.names.is_empty() {
             self.regimes.push(regime.unwrap_or(NO_REGIME));
         }
-        self.stands.push((values[0].1, stands));
-        self.anew += anew;
+        self.stands.push((values[0].1, stands.clone()));
+        self.anew += *anew;
         self.checked += usize::from(audit.is_some());
-        self.doubtful.extend(audit.flatten().map(|audit| (values.clone(), audit)));
+        self.doubtful.extend(audit.iter().flatten().map(|audit| (values.clone(), audit.clone())));
         let (own, found) = self.columns.split_at_mut(self.own);
         let place = own.first().map_or(0, |column| column.values.len());
-        for (column, (_, value)) in own.iter_mut().zip(&values) {
+        for (column, (_, value)) in own.iter_mut().zip(values) {
             column.values.push(*value);
         }
         match numbers {
             Ok(numbers) => {
                 for ((column, (quantity, _)), (value, described)) in found.iter_mut().zip(wanted).zip(numbers) {
-                    column.values.push(value);
+                    column.values.push(*value);
                     if quantity.unit == "1" && column.quantity.unit == "1" {
-                        column.quantity = described.unwrap_or_else(|| quantity.clone());
+                        column.quantity = described.clone().unwrap_or_else(|| quantity.clone());
                     }
                 }
             }
@@ -147,7 +147,7 @@ impl Gathered {
                 self.failed += 1;
                 let (code, what) = (trouble.code, &trouble.what);
                 self.reasons.push((place, Text::new(format!("{} [{code}]", what.en), format!("{} [{code}]", what.ru))));
-                self.first.get_or_insert(trouble);
+                self.first.get_or_insert_with(|| trouble.clone());
             }
         }
     }

@@ -13,6 +13,7 @@ mod one;
 pub mod regimes;
 mod repeated;
 pub(crate) mod stands;
+pub(crate) mod stated;
 mod verdict;
 mod wanted;
 

@@ -7,6 +7,7 @@ use crate::observable::{Observable, Reduced};
 use crate::periodic;
 use analysis::reduce::Reduction;
 use analysis::{GuardKind, Quantity, System};
+use symbolic::equations::Output;
 use words::{Notice, Text};
 
 /// A number that is noted, and the quantity that its column shows.
@@ -18,7 +19,7 @@ pub type Noted = (Quantity, Observable);
 /// No such output (C008), no such window (M377), nothing to note (S085).
 pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<Vec<Noted>, Notice> {
     let outputs = &machine.equations.outputs;
-    let quantity = |observable: &Observable, output: &symbolic::equations::Output| {
+    let quantity = |observable: &Observable, output: &Output| {
         let shown = machine.system.outputs().iter().find(|q| q.name == output.name).map_or(output.name.as_str(), |q| q.symbol.as_str());
         Quantity {
             // the index of a mean is that of ω_m in both languages
@@ -40,7 +41,7 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
                     let label = Text::new(format!("number of events of {name}"), format!("число событий: {name}"));
                     Quantity { label, ..Quantity::new(&observable.to_string(), "1") }
                 }
-                Observable::Field(_) => Quantity::new(&observable.to_string(), "1"),
+                Observable::Field(_) => of_field(&observable.to_string(), outputs),
                 Observable::Reduced(Reduced { of, .. }) => {
                     quantity(&observable, outputs.iter().find(|o| o.name == *of).ok_or_else(|| unknown(of, machine))?)
                 }
@@ -58,6 +59,17 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
         found.push((Quantity::new("period", "1"), Observable::field("period")));
     }
     Ok(found)
+}
+
+/// A number among the named ones of a study: `start.x` and `range.x.1` have the unit of x.
+fn of_field(name: &str, outputs: &[Output]) -> Quantity {
+    let steps: Vec<&str> = name.split('.').collect();
+    let of_output = steps.windows(2).filter(|pair| ["start", "range"].contains(&pair[0]));
+    let output = of_output.filter_map(|pair| outputs.iter().find(|output| output.name == pair[1])).next();
+    output.map_or_else(
+        || Quantity::new(name, "1"),
+        |output| Quantity { display: output.display.clone(), ..Quantity::new(name, &output.unit) },
+    )
 }
 
 /// That means of forces leave out what strikes, where one is noted and something can strike.

@@ -32,9 +32,9 @@ pub(super) struct Off {
 
 /// Defects above this multiple of the tolerance mean that the last coefficients misled the choice of the step. In a regular step the defect
 /// is about p tol e^-2, p the order.
-const DEFECT: f64 = 60.0;
+pub(crate) const DEFECT: f64 = 60.0;
 /// Rounding of the rates of a state, in units of the last place of the terms that met in them: the linear solve adds some digits.
-const ROUNDING: f64 = 64.0;
+pub(crate) const ROUNDING: f64 = 64.0;
 /// Share of the tolerance, relative to the largest values so far, below which a step over the zero of a power is left alone.
 const LITTLE: f64 = 1e-2;
 /// A defect per length that exceeds that of rounding by less than this is rounding too: truncation on a step twice as long would be eight times as large.

@@ -72,9 +72,9 @@ pub const HIGHEST_ORDER: usize = 40;
 /// See the head of the file.
 const SLACK: f64 = 4.0;
 /// Changes of a length while it is sought: by thousandths down all decades that numbers have, and some.
-const SEARCHES: usize = 300;
+pub(crate) const SEARCHES: usize = 300;
 /// Half a unit in the last place, halved again.
-const ROUNDING: f64 = 1.0 / (1u64 << 54) as f64;
+pub(crate) const ROUNDING: f64 = 1.0 / (1u64 << 54) as f64;
 
 /// Lowest order to which a run adapts.
 const LOWEST_ADAPTED: usize = 8;
@@ -127,15 +127,35 @@ struct Level {
     merit: f64,
 }
 
+/// The safety factor exp(-0.7/(p-1)) of an order, tol^(1/p), and tol^(k/p) 4^(p-k) of all k up to p.
+pub(crate) fn limits(tolerance: f64, order: usize) -> (f64, f64, Vec<f64>) {
+    let p = order as f64;
+    let root = elementary::pow(tolerance, 1.0 / p);
+    let bounds = (0..=order).map(|k| elementary::powi(root, k as i32) * elementary::powi(SLACK, (order - k) as i32)).collect();
+    (elementary::exp(-0.7 / (p - 1.0)), root, bounds)
+}
+
+/// Components with one unit: the index of the group of each, and how many groups there are.
+pub(crate) fn groups(units: &[&str]) -> (Vec<usize>, usize) {
+    let mut names: Vec<&str> = Vec::new();
+    let group = units.iter().map(|unit| {
+        names.iter().position(|name| name == unit).unwrap_or_else(|| {
+            names.push(unit);
+            names.len() - 1
+        })
+    });
+    (group.collect(), names.len())
+}
+
 impl Level {
     fn new(tolerance: f64, order: usize) -> Level {
         let p = order as f64;
-        let root = elementary::pow(tolerance, 1.0 / p);
+        let (safety, root, bounds) = limits(tolerance, order);
         Level {
             order,
-            safety: elementary::exp(-0.7 / (p - 1.0)),
+            safety,
             root,
-            bounds: (0..=order).map(|k| elementary::powi(root, k as i32) * elementary::powi(SLACK, (order - k) as i32)).collect(),
+            bounds,
             merit: -0.7 / (p - 1.0) - elementary::ln(3.0 + p + p * p / 160.0) + elementary::ln(tolerance) / p,
         }
     }
@@ -157,16 +177,7 @@ impl Rule {
         let levels: Vec<Level> = orders.into_iter().map(|p| Level::new(tolerance, p)).collect();
         let level = levels.iter().position(|level| level.order == ruled).unwrap_or(0);
         let (order, room) = (levels[level].order, levels[levels.len() - 1].order + 1);
-        let mut names: Vec<&str> = Vec::new();
-        let group: Vec<usize> = units
-            .iter()
-            .map(|unit| {
-                names.iter().position(|name| name == unit).unwrap_or_else(|| {
-                    names.push(unit);
-                    names.len() - 1
-                })
-            })
-            .collect();
+        let (group, count) = groups(units);
         Rule {
             tolerance,
             order,
@@ -176,8 +187,8 @@ impl Rule {
             since: 0,
             powers: vec![0.0; room],
             scale: vec![0.0; group.len()],
-            largest: vec![0.0; names.len()],
-            reach: vec![0.0; names.len()],
+            largest: vec![0.0; count],
+            reach: vec![0.0; count],
             group,
         }
     }

@@ -35,9 +35,11 @@ use length::Rule;
 use over::Passage;
 use passage::AWAY;
 
+pub(crate) use accept::{DEFECT, ROUNDING as OF_RATES};
 pub use flow::Flow;
 pub(crate) use implicit::{Samples, is_smooth, note};
 pub use length::{HIGHEST_ORDER, order_for};
+pub(crate) use length::{ROUNDING, SEARCHES, groups, limits};
 pub use options::{Check, Options, Work, check_tolerance};
 pub(crate) use turns::MOST_TURNS;
 

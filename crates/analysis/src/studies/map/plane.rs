@@ -1,6 +1,6 @@
 //! The lattice of a map, and what has been found on it.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// What a place belongs to; the caller knows what it means.
 pub type Class = usize;
@@ -100,7 +100,7 @@ impl Edge {
 /// A plane while it is divided.
 pub(super) struct Plane<'a, 'f, E> {
     pub(super) grid: Grid,
-    pub(super) nodes: HashMap<Node, (usize, Class)>,
+    pub(super) nodes: FxHashMap<Node, (usize, Class)>,
     pub(super) computed: usize,
     pub(super) find: &'a mut Find<'f, E>,
 }

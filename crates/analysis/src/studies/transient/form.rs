@@ -13,7 +13,7 @@ use crate::rest::formulas;
 use algebra::double::Double;
 use algebra::lu::Lu;
 use std::collections::HashMap;
-use symbolic::{Edge, Equations, Expr, Function, Node, SymbolId};
+use symbolic::{Derivation, Edge, Equations, Expr, Function, Node, SymbolId};
 
 /// M q'' + B q' + C q = f(t) within a phase; matrices row-major.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -162,7 +162,7 @@ impl<'e> Walk<'e> {
         let mut list = vec![graph.zero(); stiffness.len()];
         let n = equations.coordinates.len();
         for (j, coordinate) in equations.coordinates.iter().enumerate() {
-            let mut by = formulas::seeded(&mut graph, &known, coordinate.symbols[0]);
+            let mut by = Derivation::through(&mut graph, &known, coordinate.symbols[0]);
             for (i, force) in equations.force.iter().enumerate() {
                 list[i * n + j] = by.apply(&mut graph, *force);
             }
