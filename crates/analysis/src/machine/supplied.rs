@@ -1,6 +1,6 @@
 //! Energies, their rate and what supplies it, part by part.
 
-use program::{ABREAST, Abreast, Places, Point};
+use program::{ABREAST, Abreast, Lanes, Places, Point};
 
 use super::Machine;
 use super::flows::{part, reaction, roots};
@@ -61,7 +61,8 @@ impl Machine {
     pub(super) fn placements_abreast(&mut self, points: &[(f64, Vec<f64>)]) -> Option<Vec<Vec<f64>>> {
         let known = self.placed.get_or_insert_with(|| Abreast::new(&self.placements));
         let shape = &self.placements.tape().shape;
-        let (placed, roots) = (known.as_mut().filter(|_| shape.accelerations == 0)?, self.placements.tape().roots.len());
+        let (placed, roots) = (known.as_mut()?, self.placements.tape().roots.len());
+        let accelerations: Vec<Lanes> = self.accelerations.iter().map(|a| [*a; ABREAST]).collect();
         // no mode holds: all switches are decided by value
         let (modes, active) = (vec![Mode::Positive; shape.modes], vec![false; shape.modes]);
         let mut rows = Vec::with_capacity(points.len());
@@ -72,7 +73,14 @@ impl Machine {
             for (i, lanes) in states.iter_mut().enumerate() {
                 *lanes = std::array::from_fn(|lane| group[lane.min(last)].1.get(i).copied().unwrap_or(f64::NAN));
             }
-            let places = Places { count: group.len(), times: &times, states: &states, accelerations: &[], modes: &modes, active: &active };
+            let places = Places {
+                count: group.len(),
+                times: &times,
+                states: &states,
+                accelerations: &accelerations,
+                modes: &modes,
+                active: &active,
+            };
             if !placed.evaluate(&places) {
                 return None;
             }
