@@ -4,16 +4,14 @@
 //! whatever the registers are, and there is no fused multiplication: the bits are the same on every machine. A work is an [`Work`] whose body and all that it calls is `#[inline(always)]`, as only
 //! what is compiled into it gets the instructions.
 
-pub use pulp::{Simd, WithSimd as Work};
+mod exponentials;
+mod polynomials;
+mod registers;
 
-/// One number of each of eight motions.
-pub type Lanes = [f64; 8];
-
-/// Runs a work with the instructions that this processor has.
-pub fn dispatch<W: Work>(work: W) -> W::Output {
-    pulp::Arch::new().dispatch(work)
-}
-
+pub use exponentials::{exp, log, roots, sinh_cosh, tanh};
+pub use polynomials::{horner, horners, largest_term, way, ways, weighted};
+pub use registers::{Lanes, Simd, Work, dispatch, times};
+use registers::{abs, add, add_mul, and, at, larger, pairs, put, splat, whole};
 /// Numbers of all lanes, each on a line of the cache of its own: a vector register never reads over the border of two.
 #[derive(Debug)]
 pub struct Shelf {
@@ -43,75 +41,6 @@ impl std::ops::DerefMut for Shelf {
     fn deref_mut(&mut self) -> &mut [Lanes] {
         self.numbers[self.offset..].as_chunks_mut().0
     }
-}
-
-/// Registers that one number of all lanes takes.
-#[inline(always)]
-const fn parts<S: Simd>() -> usize {
-    size_of::<Lanes>() / size_of::<S::f64s>()
-}
-
-/// Two registers of a number. Work goes by pairs: two at a time hide how long an addition takes, and AVX2 has no more of a number.
-///
-/// All that stands here is a function that is always inlined, no closure: what is compiled by itself has the instructions of every processor only.
-type Pair<S> = [<S as Simd>::f64s; 2];
-
-#[inline(always)]
-fn at<S: Simd>(x: &Lanes, [p, q]: [usize; 2]) -> Pair<S> {
-    let registers = S::as_simd_f64s(x).0;
-    [registers[p], registers[q]]
-}
-
-#[inline(always)]
-fn put<S: Simd>(into: &mut Lanes, [p, q]: [usize; 2], value: Pair<S>) {
-    let registers = S::as_mut_simd_f64s(into).0;
-    (registers[p], registers[q]) = (value[0], value[1]);
-}
-
-/// The pairs of a number: one with AVX2, one register twice where it has a single one.
-#[inline(always)]
-fn pairs<S: Simd>() -> impl Iterator<Item = [usize; 2]> {
-    (0..parts::<S>().div_ceil(2)).map(|pair| [2 * pair, (2 * pair + 1).min(parts::<S>() - 1)])
-}
-
-#[inline(always)]
-fn splat<S: Simd>(simd: S, v: f64) -> Pair<S> {
-    [simd.splat_f64s(v), simd.splat_f64s(v)]
-}
-
-#[inline(always)]
-fn add<S: Simd>(simd: S, a: Pair<S>, b: Pair<S>) -> Pair<S> {
-    [simd.add_f64s(a[0], b[0]), simd.add_f64s(a[1], b[1])]
-}
-
-#[inline(always)]
-fn mul<S: Simd>(simd: S, a: Pair<S>, b: Pair<S>) -> Pair<S> {
-    [simd.mul_f64s(a[0], b[0]), simd.mul_f64s(a[1], b[1])]
-}
-
-/// a + b c, rounded twice.
-#[inline(always)]
-fn add_mul<S: Simd>(simd: S, a: Pair<S>, b: Pair<S>, c: Pair<S>) -> Pair<S> {
-    add(simd, a, mul(simd, b, c))
-}
-
-#[inline(always)]
-fn abs<S: Simd>(simd: S, a: Pair<S>) -> Pair<S> {
-    [simd.abs_f64s(a[0]), simd.abs_f64s(a[1])]
-}
-
-/// max(a, |b|), where a b that is no number counts as infinite.
-#[inline(always)]
-fn larger<S: Simd>(simd: S, a: Pair<S>, b: Pair<S>) -> Pair<S> {
-    [larger_of_one(simd, a[0], b[0]), larger_of_one(simd, a[1], b[1])]
-}
-
-#[inline(always)]
-fn larger_of_one<S: Simd>(simd: S, a: S::f64s, b: S::f64s) -> S::f64s {
-    let b = simd.abs_f64s(b);
-    // false for what is no number
-    let known = simd.select_f64s(simd.less_than_or_equal_f64s(b, a), a, b);
-    simd.select_f64s(simd.equal_f64s(b, b), known, simd.splat_f64s(f64::INFINITY))
 }
 
 /// Sums that a sum of products is divided into, term i into sum i (mod 4): as many as hide that an addition takes some four cycles.
@@ -177,77 +106,35 @@ pub fn squared<S: Simd>(simd: S, a: &[Lanes]) -> Lanes {
     if a.len().is_multiple_of(2) { twice } else { plus_product(simd, &twice, &a[half], &a[half]) }
 }
 
-/// Σ_k c_k τ^k and its derivative by Horner's rule.
-#[inline(always)]
-pub fn horner<S: Simd>(simd: S, c: &[Lanes], tau: &Lanes) -> [Lanes; 2] {
-    let (mut values, mut slopes) = ([0.0; 8], [0.0; 8]);
-    for p in pairs::<S>() {
-        let tau = at::<S>(tau, p);
-        let [mut v, mut s] = [splat(simd, 0.0); 2];
-        for c_k in c.iter().rev() {
-            s = add_mul(simd, v, s, tau);
-            v = add_mul(simd, at::<S>(c_k, p), v, tau);
-        }
-        put::<S>(&mut values, p, v);
-        put::<S>(&mut slopes, p, s);
-    }
-    [values, slopes]
-}
-
-/// Σ_k c_k τ^k, the even and the odd terms by Horner's rule in τ², each for itself.
-#[inline(always)]
-pub fn polynomial<S: Simd>(simd: S, c: &[Lanes], tau: &Lanes) -> Lanes {
-    let mut result = [0.0; 8];
-    let (twos, last) = c.as_chunks::<2>();
-    for p in pairs::<S>() {
-        let tau = at::<S>(tau, p);
-        let square = mul(simd, tau, tau);
-        let mut even = if let [c] = last { at::<S>(c, p) } else { splat(simd, 0.0) };
-        let mut odd = splat(simd, 0.0);
-        for [c0, c1] in twos.iter().rev() {
-            even = add_mul(simd, at::<S>(c0, p), even, square);
-            odd = add_mul(simd, at::<S>(c1, p), odd, square);
-        }
-        put::<S>(&mut result, p, add_mul(simd, even, odd, tau));
-    }
-    result
-}
-
-/// Σ_k |c_k| h^k over the terms from the first to the last, by Horner's rule, times h.
-#[inline(always)]
-pub fn way<S: Simd>(simd: S, c: &[Lanes], h: &Lanes) -> Lanes {
-    let mut result = [0.0; 8];
-    for p in pairs::<S>() {
-        let h = at::<S>(h, p);
-        let mut sum = splat(simd, 0.0);
-        for c_k in c.iter().rev() {
-            sum = mul(simd, add(simd, sum, abs(simd, at::<S>(c_k, p))), h);
-        }
-        put::<S>(&mut result, p, sum);
-    }
-    result
-}
-
-/// max_k |c_k| p_k, infinite where a term is no number.
-#[inline(always)]
-pub fn largest_term<S: Simd>(simd: S, c: &[Lanes], powers: &[Lanes]) -> Lanes {
-    let mut result = [0.0; 8];
-    for p in pairs::<S>() {
-        let mut most = splat(simd, 0.0);
-        for (c_k, power) in c.iter().zip(powers) {
-            most = larger(simd, most, mul(simd, at::<S>(c_k, p), at::<S>(power, p)));
-        }
-        put::<S>(&mut result, p, most);
-    }
-    result
-}
-
 /// max(a, |b|), where a b that is no number counts as infinite.
 #[inline(always)]
 pub fn largest<S: Simd>(simd: S, a: &Lanes, b: &Lanes) -> Lanes {
     let mut result = [0.0; 8];
     for p in pairs::<S>() {
         put::<S>(&mut result, p, larger(simd, at::<S>(a, p), at::<S>(b, p)));
+    }
+    result
+}
+
+/// |a|.
+#[inline(always)]
+pub fn size<S: Simd>(simd: S, a: &Lanes) -> Lanes {
+    let mut result = [0.0; 8];
+    for p in pairs::<S>() {
+        put::<S>(&mut result, p, abs(simd, at::<S>(a, p)));
+    }
+    result
+}
+
+/// 1 where a ≤ b, else 0, also where one of them is no number.
+#[inline(always)]
+pub fn at_most<S: Simd>(simd: S, a: &Lanes, b: &Lanes) -> Lanes {
+    let mut result = [0.0; 8];
+    let (one, zero) = (simd.splat_f64s(1.0), simd.splat_f64s(0.0));
+    for p in pairs::<S>() {
+        let (a, b) = (at::<S>(a, p), at::<S>(b, p));
+        let lower = [simd.less_than_or_equal_f64s(a[0], b[0]), simd.less_than_or_equal_f64s(a[1], b[1])];
+        put::<S>(&mut result, p, [simd.select_f64s(lower[0], one, zero), simd.select_f64s(lower[1], one, zero)]);
     }
     result
 }
@@ -269,16 +156,6 @@ pub fn plus<S: Simd>(simd: S, a: &Lanes, b: &Lanes) -> Lanes {
     let mut result = [0.0; 8];
     for p in pairs::<S>() {
         put::<S>(&mut result, p, add(simd, at::<S>(a, p), at::<S>(b, p)));
-    }
-    result
-}
-
-/// a b.
-#[inline(always)]
-pub fn times<S: Simd>(simd: S, a: &Lanes, b: &Lanes) -> Lanes {
-    let mut result = [0.0; 8];
-    for p in pairs::<S>() {
-        put::<S>(&mut result, p, mul(simd, at::<S>(a, p), at::<S>(b, p)));
     }
     result
 }
@@ -321,16 +198,8 @@ pub fn scaled<S: Simd>(simd: S, s: f64, a: &Lanes) -> Lanes {
     times(simd, &[s; 8], a)
 }
 
-/// a / s.
-#[inline(always)]
-pub fn divided<S: Simd>(simd: S, a: &Lanes, s: f64) -> Lanes {
-    over(simd, a, &[s; 8])
-}
-
 /// Beyond this an angle has too many quarter turns for the reduction below, and the library's is taken.
 const FAR: f64 = 1e5;
-/// Adding this leaves a whole number in the last bits.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// π/2 in parts of 33 bits, and what is left.
 const QUARTER: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 const SINE: [f64; 6] = [
@@ -374,18 +243,6 @@ fn far(x: &Lanes, sines: &mut Lanes, cosines: &mut Lanes) {
     for lane in (0..8).filter(|lane| x[*lane].abs() >= FAR || x[*lane].is_nan()) {
         (sines[lane], cosines[lane]) = crate::elementary::sin_cos(x[lane]);
     }
-}
-
-/// a + b c of one register.
-#[inline(always)]
-fn and<S: Simd>(simd: S, a: f64, b: S::f64s, c: S::f64s) -> S::f64s {
-    simd.add_f64s(simd.splat_f64s(a), simd.mul_f64s(b, c))
-}
-
-#[inline(always)]
-fn whole<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
-    let shift = simd.splat_f64s(WHOLE);
-    simd.sub_f64s(simd.add_f64s(x, shift), shift)
 }
 
 /// Sine and cosine of y + rest, |y| up to π/4.
@@ -448,9 +305,25 @@ mod tests {
             let [first, second] = cauchys(simd, a, [b, c]);
             let [value, slope] = horner(simd, a, &b[0]);
             let terms = largest_term(simd, a, b);
-            [cauchy(simd, a, b), first, second, squared(simd, a), value, slope, polynomial(simd, a, &b[0]), way(simd, a, &b[0]), terms]
-                .map(|lanes| lanes.map(f64::to_bits))
-                .to_vec()
+            let weights: Vec<[f64; 4]> = c.iter().map(|c| [c[0], c[1], c[2], c[3]]).collect();
+            let four = weighted(simd, a, &weights);
+            let (pair, both) = (horners(simd, [b, a], &b[0]), ways(simd, [c, a], &b[0]));
+            [
+                cauchy(simd, a, b),
+                first,
+                second,
+                squared(simd, a),
+                value,
+                slope,
+                four[1],
+                way(simd, a, &b[0]),
+                terms,
+                pair[1][0],
+                pair[1][1],
+                both[1],
+            ]
+            .map(|lanes| lanes.map(f64::to_bits))
+            .to_vec()
         }
     }
 
@@ -478,9 +351,12 @@ mod tests {
                 assert!(near(wide[2][lane], product(&a, &c)) && near(wide[3][lane], product(&a, &a)));
                 let sum = |of: &dyn Fn(f64) -> f64, tau: f64| (0..count).map(|k| of(a[k][lane]) * tau.powi(k as i32)).sum::<f64>();
                 let tau = b[0][lane];
-                assert!(near(wide[4][lane], sum(&|c| c, tau)) && near(wide[6][lane], sum(&|c| c, tau)));
+                assert!(near(wide[4][lane], sum(&|c| c, tau)));
+                assert!(near(wide[6][lane], (0..count).map(|k| a[k][lane] * c[k][1]).sum()));
+                // two rows at a time have the sums of each
+                assert_eq!([wide[9][lane], wide[10][lane], wide[11][lane]], [wide[4][lane], wide[5][lane], wide[7][lane]]);
                 assert!(near(wide[7][lane], tau * sum(&f64::abs, tau)));
-                let largest = (0..count).fold(0.0_f64, |m, k| m.max((a[k][lane] * b[k][lane]).abs()));
+                let largest = (0..count).fold(0.0_f64, |m, k| m.max(a[k][lane].abs() * b[k][lane]));
                 assert!(near(wide[8][lane], largest));
             }
         }

@@ -32,7 +32,7 @@ mod touches;
 mod touching;
 
 use program::lower::Selection;
-use program::{Acting, Behind, Bound, Evaluator, Jets, Lanes, Point, Program, RESOLUTION, Tangent};
+use program::{Abreast, Acting, Behind, Bound, Evaluator, Jets, Lanes, Point, Program, RESOLUTION, Tangent};
 use symbolic::Equations;
 use words::Text;
 
@@ -81,6 +81,8 @@ pub struct Machine {
     released: Evaluator,
     /// The placements of bodies among its roots.
     placements: Evaluator,
+    /// The same at several points at once, as soon as they are asked for and where that goes.
+    placed: Option<Option<Abreast>>,
     layout: Layout,
     /// Laws of friction and balances of released bodies, see [`program::LawRoots`].
     laws: Evaluator,
@@ -175,6 +177,7 @@ impl Machine {
             second: general.evaluator(&program.second)?,
             released: general.evaluator(&program.released)?,
             placements: placements(equations, &general)?,
+            placed: None,
             layout: layout(equations),
             laws: bound.evaluator(&bound.program().laws)?,
             balances: bound.evaluator(&bound.program().balances)?,

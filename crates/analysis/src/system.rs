@@ -574,6 +574,11 @@ pub trait System {
         None
     }
 
+    /// The same at several instants with their states, each with the bits that it has by itself.
+    fn placements_at(&mut self, points: &[(f64, Vec<f64>)]) -> Option<Vec<Vec<f64>>> {
+        points.iter().map(|(t, x)| self.placements(*t, x)).collect()
+    }
+
     /// What [`System::released`] lists.
     fn layout(&self) -> Layout {
         Layout::default()

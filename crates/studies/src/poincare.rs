@@ -1,5 +1,7 @@
 //! The study `poincare`: section points of a motion, where a formula passes zero, at a named event, or once a period.
 
+mod diagram;
+
 use super::keys::{METHOD, OUTPUTS, PLOT, SETTLE, TOLERANCE_OF_MOTION, UNTIL};
 use super::simulate::{Simulate, moving, options};
 use super::{Finds, Found, Given, Interrupts, Results, Rows, Study, overlaid};
@@ -110,6 +112,20 @@ pub static KIND: Kind = Kind::new(
         ),
         "[\"x - l\", \"x'\"]",
     ),
+    Key::new(
+        "over",
+        Takes::Ranges,
+        (
+            "values of a parameter or start whose section points stand one below the other, a bifurcation diagram: name=linspace(first, last, number) or another range of `sweep`",
+            "значения параметра или начального условия, для которых точки сечения записываются друг под другом (бифуркационная диаграмма): имя=linspace(первое, последнее, число) или другой набор, как в `sweep`",
+        ),
+        "\"F=linspace(1 N, 2 N, 101)\"",
+    )
+    .option(
+        "Section points for each of these values, a bifurcation diagram: F=linspace(1 N, 2 N, 101)",
+        "Точки сечения для каждого из этих значений, бифуркационная диаграмма: F=linspace(1 Н, 2 Н, 101)",
+    )
+    .way(Way::Written),
     TOLERANCE_OF_MOTION,
     METHOD,
     OUTPUTS,
@@ -141,6 +157,19 @@ fn objections(asked: &Asked) -> Vec<Objection> {
                 .help("add until = \"100 s\"", "добавьте until = \"100 с\""),
         );
     }
+    if let Some(Value::Ranges(ranges)) = asked.get("over")
+        && ranges.len() > 1
+    {
+        found.push(
+            Objection::at(
+                "over",
+                "M071",
+                "a diagram of section points goes over one parameter",
+                "диаграмма точек сечения строится по одному параметру",
+            )
+            .help("leave one range", "оставьте один набор значений"),
+        );
+    }
     if asked.has("direction") && !asked.has("section") {
         found.push(Objection::at("direction", "M071", "`direction` needs `section`", "ключу `direction` нужен `section`"));
     }
@@ -170,9 +199,12 @@ impl Study for SectionPoints {
             ..Results::default()
         };
         results.data = machine::no_numbers(machine);
-        if let Err(trouble) = points(machine, asked, &mut results, watch) {
-            results.trouble = Some(trouble);
-        }
+        let done = if diagram::over(asked).is_some() {
+            diagram::diagram(machine, asked, (&mut results, watch), points)
+        } else {
+            points(machine, asked, &mut results, watch)
+        };
+        results.trouble = done.err().or(results.trouble);
         watch.lap(Lap::Run);
         Some(checked(results))
     }

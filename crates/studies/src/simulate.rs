@@ -9,6 +9,7 @@ use crate::results::{Alone, Strips, fields, figures};
 use crate::watch::{Kept, Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
+use analysis::marks::extremes::Sought;
 use analysis::marks::windows::Window;
 use analysis::studies::simulate::{Grid, Outcome, Simulate as Options};
 use mechanics::asked::{Asked, Kind, Value, Words};
@@ -40,6 +41,12 @@ pub struct Simulate {
     pub windows: Vec<Window>,
 }
 
+/// An output between two instants; of `means` nothing else is wanted.
+fn window(output: &str, between: [f64; 2], means: &[String]) -> Window {
+    let sought = if means.iter().any(|own| own == output) { Sought::Mean } else { Sought::Extremes };
+    Window { output: output.to_owned(), between, sought }
+}
+
 impl Simulate {
     /// The motion that is asked for.
     pub fn of(asked: &Asked) -> Simulate {
@@ -50,7 +57,7 @@ impl Simulate {
             method: asked.word("method").and_then(analysis::integrate::stiff::Method::named).unwrap_or_default(),
             outputs: asked.words("outputs").to_vec(),
             plots: asked.plots().to_vec(),
-            windows: asked.windows().iter().map(|(output, between)| Window { output: output.clone(), between: *between }).collect(),
+            windows: asked.windows().iter().map(|(output, between)| window(output, *between, asked.words("means"))).collect(),
         }
     }
 

@@ -6,6 +6,7 @@ use crate::system::Layout;
 use algebra::elementary;
 use algebra::lanes::combined;
 use algebra::space::{Vector, cross, dot, minus, norm};
+use std::sync::LazyLock;
 
 /// Points less one; even, so that the middle of the stretch is one of them.
 pub(super) const N: usize = 16;
@@ -49,7 +50,7 @@ impl Wrench {
 }
 
 /// A number at the points of a stretch, or numbers that belong to them.
-type Column = [f64; N + 1];
+pub(super) type Column = [f64; N + 1];
 
 /// Rows of placements at the points of a stretch.
 pub(super) struct Stretch {
@@ -60,10 +61,10 @@ pub(super) struct Stretch {
     pub half: f64,
 }
 
-/// Differentiation of placements of so many bodies.
-#[derive(Clone, Debug)]
-pub(super) struct Placements {
-    bodies: usize,
+/// Numbers that every stretch has in common.
+#[derive(Debug)]
+struct Tables {
+    abscissae: Column,
     derivative: Vec<f64>,
     /// The same by columns.
     across: Vec<Column>,
@@ -72,26 +73,36 @@ pub(super) struct Placements {
     first: [[f64; FIRST]; N + 1],
 }
 
+static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+    let cosines: Vec<f64> = (0..2 * N).map(|i| elementary::cos(std::f64::consts::PI * i as f64 / N as f64)).collect();
+    let wave = |j: usize, k: usize| cosines[j * k % (2 * N)];
+    let derivative = chebyshev();
+    Tables {
+        abscissae: std::array::from_fn(abscissa),
+        across: (0..=N).map(|j| std::array::from_fn(|k| derivative[k * (N + 1) + j])).collect(),
+        derivative,
+        last: std::array::from_fn(|j| std::array::from_fn(|k| wave(j, N + 1 - LAST + k))),
+        first: std::array::from_fn(|j| std::array::from_fn(|k| wave(j, 1 + k))),
+    }
+});
+
+/// Differentiation of placements of so many bodies.
+#[derive(Clone, Debug)]
+pub(super) struct Placements {
+    bodies: usize,
+    tables: &'static Tables,
+}
+
 impl Placements {
     pub(super) fn new(bodies: usize) -> Placements {
-        let cosines: Vec<f64> = (0..2 * N).map(|i| elementary::cos(std::f64::consts::PI * i as f64 / N as f64)).collect();
-        let wave = |j: usize, k: usize| cosines[j * k % (2 * N)];
-        let derivative = chebyshev();
-        Placements {
-            bodies,
-            across: (0..=N).map(|j| std::array::from_fn(|k| derivative[k * (N + 1) + j])).collect(),
-            derivative,
-            last: std::array::from_fn(|j| std::array::from_fn(|k| wave(j, N + 1 - LAST + k))),
-            first: std::array::from_fn(|j| std::array::from_fn(|k| wave(j, 1 + k))),
-        }
+        Placements { bodies, tables: &TABLES }
     }
 
-    /// The stretch of at most this half length about 0 on which the placements are resolved; none where they are resolved nowhere.
-    pub(super) fn stretch(&self, longest: f64, mut node: impl FnMut(f64) -> Option<Vec<f64>>) -> Option<Stretch> {
+    /// The stretch of at most this half length about 0 on which the placements are resolved; none where they are resolved nowhere. `nodes` gives them at all points.
+    pub(super) fn stretch(&self, longest: f64, mut nodes: impl FnMut(&Column) -> Option<Vec<Vec<f64>>>) -> Option<Stretch> {
         let mut half = longest;
         for _ in 0..HALVINGS {
-            let nodes: Option<Vec<Vec<f64>>> = (0..=N).map(|k| node(half * abscissa(k))).collect();
-            if let Some(nodes) = nodes {
+            if let Some(nodes) = nodes(&self.tables.abscissae.map(|u| half * u)) {
                 let mut columns: Vec<Column> = vec![[0.0; N + 1]; BODY * self.bodies];
                 for (k, node) in nodes.iter().enumerate() {
                     columns.iter_mut().zip(node).for_each(|(column, number)| column[k] = *number);
@@ -110,31 +121,31 @@ impl Placements {
         let placements = (0..self.bodies).flat_map(|b| (1..13).map(move |i| BODY * b + i));
         placements.into_iter().all(|i| {
             let column = &columns[i];
-            // most numbers of a plane machine do not move
-            if column.iter().all(|v| *v == column[0]) {
+            if is_still(column) {
                 return true;
             }
             let rounding = 8.0 * f64::EPSILON * largest(column);
             let tail = self.tail(column);
-            let size = || largest(&coefficients(&self.first, column));
+            let size = || largest(&coefficients(&self.tables.first, column));
             tail <= rounding || tail <= TAIL * size()
         })
     }
 
     /// The largest of the last of Chebyshev's coefficients.
     fn tail(&self, column: &Column) -> f64 {
-        largest(&coefficients(&self.last, column))
+        if is_still(column) { 0.0 } else { largest(&coefficients(&self.tables.last, column)) }
     }
 
     /// The derivative of a number at all points.
     fn derivatives(&self, column: &Column, half: f64) -> Column {
-        combined(&self.across, column).map(|sum| sum / half)
+        if is_still(column) { [0.0; N + 1] } else { combined(&self.tables.across, column).map(|sum| sum / half) }
     }
 
     /// How a body moves in the middle: the velocity of its particle at the origin of the ground, and its angular velocity.
     pub(super) fn moves(&self, stretch: &Stretch, body: usize) -> [Vector; 2] {
         let of = |k: usize, i: usize| stretch.columns[BODY * body + i][k];
-        let derivative = |i: usize| -> f64 { (0..=N).map(|j| self.derivative[N / 2 * (N + 1) + j] * of(j, i)).sum::<f64>() / stretch.half };
+        let derivative =
+            |i: usize| -> f64 { (0..=N).map(|j| self.tables.derivative[N / 2 * (N + 1) + j] * of(j, i)).sum::<f64>() / stretch.half };
         let velocity = [1, 2, 3].map(derivative);
         let own = [0, 1, 2].map(|i| [0, 1, 2].map(|j| of(N / 2, 4 + 3 * i + j)));
         let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| derivative(4 + 3 * i + j)));
@@ -172,7 +183,7 @@ impl Placements {
         };
         let (mut p, mut l) = ([0.0; 3], [0.0; 3]);
         for k in 0..=N {
-            let weight = self.derivative[N / 2 * (N + 1) + k] / half;
+            let weight = self.tables.derivative[N / 2 * (N + 1) + k] / half;
             let (linear, angular) = momentum(k);
             p.iter_mut().zip(linear).for_each(|(sum, v)| *sum += weight * v);
             l.iter_mut().zip(angular).for_each(|(sum, v)| *sum += weight * v);
@@ -187,6 +198,11 @@ impl Placements {
         let heavy = mass.abs();
         [p, l, [noise * heavy * place, noise * (heavy * far * place + inertia * turn), 0.0]]
     }
+}
+
+/// Whether a number does not move: most of those of a plane machine.
+fn is_still(column: &Column) -> bool {
+    column.iter().all(|v| *v == column[0])
 }
 
 /// Chebyshev's coefficients of a number along a stretch, of the orders of these waves.
@@ -207,7 +223,7 @@ fn turning(own: &[Vector; 3], rate: &[Vector; 3]) -> Vector {
     [0.5 * (w(2, 1) - w(1, 2)), 0.5 * (w(0, 2) - w(2, 0)), 0.5 * (w(1, 0) - w(0, 1))]
 }
 
-pub(super) fn abscissa(k: usize) -> f64 {
+fn abscissa(k: usize) -> f64 {
     // the middle is exact
     if 2 * k == N { 0.0 } else { -elementary::cos(std::f64::consts::PI * k as f64 / N as f64) }
 }

@@ -20,7 +20,7 @@ use algebra::space::{Vector, cross, dot, minus, norm};
 use words::Text;
 
 use super::frontier::Frontier;
-use super::placements::{BODY, N, Placements, Wrench};
+use super::placements::{BODY, Column, N, Placements, Wrench};
 use super::virtual_work::VirtualWork;
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -90,7 +90,9 @@ impl ReleasedBalance {
             return;
         }
         let middle = 0.5 * step.length;
-        let Some(stretch) = self.placements.stretch(middle, |after| self.node(step, middle + after, system)) else { return };
+        let Some(stretch) = self.placements.stretch(middle, |after| self.nodes(step, after.map(|after| middle + after), system)) else {
+            return;
+        };
         let t = step.instant(middle).high;
         let momenta: Vec<[Vector; 3]> = (0..self.layout.bodies).map(|b| self.placements.rates(&stretch, (t, b))).collect();
         let here = &stretch.nodes[N / 2];
@@ -140,19 +142,23 @@ impl ReleasedBalance {
         list
     }
 
-    fn node<S: System + ?Sized>(&self, step: &Step, after: f64, system: &mut S) -> Option<Vec<f64>> {
-        let t = step.instant(after).high;
+    fn nodes<S: System + ?Sized>(&self, step: &Step, afters: Column, system: &mut S) -> Option<Vec<Vec<f64>>> {
         let n = system.states().len();
-        let (mut x, mut rates) = (vec![0.0; n], vec![0.0; n]);
-        step.state_after(after, &mut x);
+        let point = |after: f64| {
+            let mut x = vec![0.0; n];
+            step.state_after(after, &mut x);
+            (step.instant(after).high, x)
+        };
         // loads and reactions are asked for in the middle only
-        if after != 0.5 * step.length {
-            return system.placements(t, &x);
-        }
-        step.rate_after(after, &mut rates);
+        let mut points: Vec<(f64, Vec<f64>)> = afters.iter().map(|after| point(*after)).collect();
+        let (t, x) = points.remove(N / 2);
+        let mut nodes = system.placements_at(&points)?;
+        let mut rates = vec![0.0; n];
+        step.rate_after(afters[N / 2], &mut rates);
         let q = system.n_coordinates();
         let modes: &[Mode] = &step.modes;
-        system.released(t, &x, &rates[q..2 * q], modes)
+        nodes.insert(N / 2, system.released(t, &x, &rates[q..2 * q], modes)?);
+        Some(nodes)
     }
 
     /// The audits: of released bodies where a reaction is hidden, of virtual work wherever bodies are known.

@@ -16,7 +16,7 @@ use algebra::space::{Vector, dot, norm};
 use words::Text;
 
 use super::frontier::Frontier;
-use super::placements::{BODY, N, Placements, Wrench};
+use super::placements::{BODY, Column, N, Placements, Wrench};
 use crate::System;
 use crate::dataset::Audit;
 use crate::system::Layout;
@@ -73,10 +73,10 @@ impl VirtualWork {
                     None => random.between(-1.0, 1.0) * scale(j, system),
                 })
                 .collect();
-            let beside = |tau: f64| -> Option<Vec<f64>> {
-                let mut y = x.to_vec();
-                y.iter_mut().zip(&way).for_each(|(y, d)| *y += tau * d);
-                system.placements(t, &y)
+            let beside = |taus: &Column| {
+                let place = |tau: f64| x.iter().enumerate().map(|(i, x)| x + tau * way.get(i).unwrap_or(&0.0)).collect();
+                let points: Vec<(f64, Vec<f64>)> = taus.iter().map(|tau| (t, place(*tau))).collect();
+                system.placements_at(&points)
             };
             let Some(stretch) = placements.stretch(REACH, beside) else { continue };
             let moves: Vec<[Vector; 2]> = (0..layout.bodies).map(|b| placements.moves(&stretch, b)).collect();

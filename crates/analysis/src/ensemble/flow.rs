@@ -6,10 +6,10 @@ use crate::Mode;
 use crate::audits::defect::GOLDEN;
 use crate::integrate::taylor::{DEFECT, OF_RATES as ROUNDING};
 use crate::integrate::{FOUR_TURNS, MOST_TURNS, Step, taken};
-use algebra::gauss::TWELVE;
+use algebra::gauss::EIGHT;
 use algebra::simd::Lanes;
 use algebra::sum::{Instant, two_sum};
-use program::ensemble::{Ensemble, LANES, Layout, Span, Values};
+use program::ensemble::{Ensemble, LANES, Layout, Rule, Span, Values};
 use std::sync::Arc;
 
 /// Steps taken back in a row before the motion is handed back.
@@ -70,6 +70,8 @@ impl Lane {
 pub(crate) struct Flow {
     series: Ensemble,
     rule: Lengths,
+    /// Of the ledger.
+    points: Rule,
     checks: Checks,
     lanes: [Lane; LANES],
     coordinates: usize,
@@ -114,6 +116,7 @@ impl Flow {
             slopes: zeros(),
             values,
             inside,
+            points: Rule::new(&EIGHT, rule.order),
             rule,
             series,
         }
@@ -170,6 +173,7 @@ impl Flow {
     /// Empties a lane.
     pub(crate) fn take(&mut self, lane: usize) {
         self.lanes[lane].state = State::Idle;
+        self.series.rest(lane);
     }
 
     fn busy(&self) -> [bool; LANES] {
@@ -290,7 +294,7 @@ impl Flow {
     fn check(&mut self) {
         let times = [|t: Instant| t.high, |t: Instant| t.low].map(|part| std::array::from_fn(|lane| part(self.lanes[lane].now)));
         let span = Span { times: [&times[0], &times[1]], states: [&self.x, &self.low], lengths: &self.lengths };
-        let works = self.series.works(&span, &TWELVE, &mut self.inside);
+        let works = self.series.works(&span, &self.points, &mut self.inside);
         self.checks.book(&self.values, &works);
         let share = |lane: usize| ((self.lanes[lane].steps + 1) as f64 * GOLDEN).fract();
         self.look_inside(&std::array::from_fn(|lane| share(lane) * self.lengths[lane]));

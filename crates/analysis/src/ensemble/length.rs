@@ -3,13 +3,9 @@
 use crate::integrate::UNIT_SHARE;
 use crate::integrate::taylor::{ROUNDING, SEARCHES, groups, limits, order_for};
 use algebra::elementary;
-use algebra::simd::{Lanes, Simd, Work, dispatch, largest as widest, largest_term, over, scaled, times};
+use algebra::simd::{Lanes, Simd, Work, dispatch, largest as widest, largest_term, over, roots, scaled, times};
 use program::ensemble::{Ensemble, LANES};
 
-/// A share below this lets a step grow as far as one look allows.
-const NOTHING: f64 = 1e-300;
-/// Adding this leaves a whole number in the last bits.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// Tolerance, order and the numbers that follow from them.
 #[derive(Clone, Debug)]
@@ -140,9 +136,10 @@ impl Work for Growth<'_> {
                 *most = widest(simd, most, &share);
             }
         }
+        let (first, second) = (roots(simd, &before, (p - 1) as f64), roots(simd, &last, p as f64));
         let mut factors = [0.0; LANES];
         for lane in 0..LANES {
-            let factor = root(before[lane], (p - 1) as f64).min(root(last[lane], p as f64)) * rule.root;
+            let factor = first[lane].min(second[lane]) * rule.root;
             // a guess far too long can overflow: come back by decades
             factors[lane] = if before[lane] < f64::INFINITY && last[lane] < f64::INFINITY { (factor * rule.safety).min(1e3) } else { 1e-3 };
         }
@@ -197,41 +194,5 @@ impl Work for Excess<'_> {
             (0..LANES).for_each(|lane| found[lane] |= most[lane] > a[lane]);
         }
         found
-    }
-}
-
-/// x^(-1/k) to nine digits, which is more than the search asks for, without a branch: by the exponent of x, the series of artanh for its logarithm and that of the exponential.
-#[inline(always)]
-fn root(x: f64, k: f64) -> f64 {
-    const SQRT_2: u64 = 0x3ff6_a09e_667f_3bcd;
-    let x = x.clamp(NOTHING, 1.0 / NOTHING);
-    // x = m 2^e, m between √½ and √2
-    let e = (x.to_bits().wrapping_sub(SQRT_2) as i64 >> 52) + 1;
-    let m = f64::from_bits(x.to_bits().wrapping_sub((e << 52) as u64));
-    let s = (m - 1.0) / (m + 1.0);
-    let z = s * s;
-    let log = 2.0 * s * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0))))) + e as f64 * std::f64::consts::LN_2;
-    let y = -log / (k * std::f64::consts::LN_2);
-    let whole = (y + WHOLE).to_bits();
-    let f = (y - ((y + WHOLE) - WHOLE)) * std::f64::consts::LN_2;
-    let series = [1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0];
-    let power = series.iter().fold(0.0, |sum, c| sum * f + c);
-    power * f64::from_bits(whole.wrapping_add(1023) << 52)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::root;
-
-    #[test]
-    fn roots_are_those_of_the_elementary_functions() {
-        for i in -400..400 {
-            let x = 10.0_f64.powf(0.37 * f64::from(i));
-            for k in [7.0, 20.0, 26.0] {
-                let exact = x.powf(-1.0 / k);
-                // nine digits
-                assert!((root(x, k) - exact).abs() <= 2e-9 * exact, "{x} {k}: {} {exact}", root(x, k));
-            }
-        }
     }
 }

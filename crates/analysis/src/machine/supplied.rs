@@ -1,6 +1,6 @@
 //! Energies, their rate and what supplies it, part by part.
 
-use program::{ABREAST, Places, Point};
+use program::{ABREAST, Abreast, Lanes, Places, Point};
 
 use super::Machine;
 use super::flows::{part, reaction, roots};
@@ -55,6 +55,38 @@ impl Machine {
             *supply = Supply { loads: loads[lane], drives: drives[lane], dissipated: dissipated[lane] };
         }
         true
+    }
+
+    /// See [`crate::System::placements_at`]; none where they have to be asked for one by one.
+    pub(super) fn placements_abreast(&mut self, points: &[(f64, Vec<f64>)]) -> Option<Vec<Vec<f64>>> {
+        let known = self.placed.get_or_insert_with(|| Abreast::new(&self.placements));
+        let shape = &self.placements.tape().shape;
+        let (placed, roots) = (known.as_mut()?, self.placements.tape().roots.len());
+        let accelerations: Vec<Lanes> = self.accelerations.iter().map(|a| [*a; ABREAST]).collect();
+        // no mode holds: all switches are decided by value
+        let (modes, active) = (vec![Mode::Positive; shape.modes], vec![false; shape.modes]);
+        let mut rows = Vec::with_capacity(points.len());
+        let mut states = vec![[0.0; ABREAST]; shape.states];
+        for group in points.chunks(ABREAST) {
+            let last = group.len() - 1;
+            let times = std::array::from_fn(|lane| group[lane.min(last)].0);
+            for (i, lanes) in states.iter_mut().enumerate() {
+                *lanes = std::array::from_fn(|lane| group[lane.min(last)].1.get(i).copied().unwrap_or(f64::NAN));
+            }
+            let places = Places {
+                count: group.len(),
+                times: &times,
+                states: &states,
+                accelerations: &accelerations,
+                modes: &modes,
+                active: &active,
+            };
+            if !placed.evaluate(&places) {
+                return None;
+            }
+            rows.extend((0..group.len()).map(|lane| (0..roots).map(|i| placed.root(i)[lane]).collect()));
+        }
+        Some(rows)
     }
 
     /// See [`crate::System::energy_rate`].

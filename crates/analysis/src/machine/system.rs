@@ -362,6 +362,10 @@ impl System for Machine {
         Some(self.placements.evaluate(&point).ok()?.to_vec())
     }
 
+    fn placements_at(&mut self, points: &[(f64, Vec<f64>)]) -> Option<Vec<Vec<f64>>> {
+        self.placements_abreast(points).or_else(|| points.iter().map(|(t, x)| self.placements(*t, x)).collect())
+    }
+
     fn layout(&self) -> Layout {
         self.layout.clone()
     }

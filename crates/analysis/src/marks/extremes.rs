@@ -23,6 +23,15 @@ fn surely_monotone(c: &[f64], h: f64) -> bool {
     c[1].abs() > rest
 }
 
+/// What is wanted of an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Sought {
+    /// Its mean alone.
+    Mean,
+    /// Its mean and its extremes.
+    Extremes,
+}
+
 /// Collects extremes of columns.
 #[derive(Clone, Debug)]
 pub struct Extremes {
@@ -39,6 +48,8 @@ pub struct Extremes {
     last: Vec<f64>,
     /// Share of the range by which a later value must be better.
     tie: f64,
+    /// What is wanted of each column.
+    sought: Vec<Sought>,
 }
 
 /// Equal greatest values differ by the errors of the motion, and the first of them is meant; what a table of a coarse motion shows is
@@ -57,7 +68,13 @@ impl Extremes {
             first: vec![(f64::INFINITY, f64::NAN); chosen.len()],
             last: vec![f64::NAN; chosen.len()],
             tie: tolerance.min(TIE),
+            sought: vec![Sought::Extremes; chosen.len()],
         }
+    }
+
+    /// Of columns whose mean alone is wanted no extremes are sought.
+    pub(super) fn seeking(self, sought: impl Iterator<Item = Sought>) -> Extremes {
+        Extremes { sought: sought.collect(), ..self }
     }
 
     /// Takes values of all columns at an instant.
@@ -113,6 +130,9 @@ impl Extremes {
         let (c, h) = (along.polynomial(state), along.length);
         let area = c.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c_k)| (sum + c_k / (k + 1) as f64) * h) * h;
         self.add(j, h, area + along.start(state) * h);
+        if self.sought[j] == Sought::Mean {
+            return;
+        }
         let reach = c[1..].iter().rev().fold(0.0, |sum, c_k| (sum + c_k.abs()) * h);
         let first = along.state(state, 0.0);
         if first + reach <= self.list[j].max && first - reach >= self.list[j].min {
@@ -146,6 +166,9 @@ impl Extremes {
     fn piece<S: System + ?Sized>(&mut self, j: usize, piece: &Piece, along: &mut Along<'_, S>) {
         let width = piece.to - piece.from;
         self.add(j, width, width * piece.row.iter().sum::<f64>() / piece.row.len() as f64);
+        if self.sought[j] == Sought::Mean {
+            return;
+        }
         let (low, high) = piece.row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), b| (l.min(*b), h.max(*b)));
         // the polynomial lies in the hull of its coefficients
         if high <= self.list[j].max && low >= self.list[j].min {

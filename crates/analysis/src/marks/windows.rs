@@ -8,7 +8,7 @@ use words::Text;
 use words::digits::number;
 
 use super::Along;
-use super::extremes::Extremes;
+use super::extremes::{Extremes, Sought};
 use crate::dataset::{Extreme, Overall, Windowed};
 use crate::integrate::Step;
 use crate::{Fault, Quantity, System};
@@ -24,6 +24,8 @@ pub struct Window {
     pub output: String,
     /// From, to.
     pub between: [f64; 2],
+    /// What is wanted of it.
+    pub sought: Sought,
 }
 
 /// All outputs between the same instants.
@@ -46,7 +48,7 @@ impl Windows {
     ///
     /// *Errors*: an output that does not exist; a window that is empty, or not inside the run.
     pub fn new<S: System + ?Sized>(system: &S, windows: &[Window], (until, tolerance): (f64, f64)) -> Result<Windows, Fault> {
-        let mut chosen: Vec<([f64; 2], Vec<usize>)> = Vec::new();
+        let mut chosen: Vec<([f64; 2], Vec<(usize, Sought)>)> = Vec::new();
         for window in windows {
             let outputs = system.outputs();
             let output = outputs.iter().position(|q| q.name == window.output).ok_or_else(|| {
@@ -58,16 +60,21 @@ impl Windows {
                 return Err(outside(window.between, until));
             }
             match chosen.iter_mut().find(|(between, _)| *between == window.between) {
-                Some((_, list)) if list.contains(&output) => {}
-                Some((_, list)) => list.push(output),
-                None => chosen.push((window.between, vec![output])),
+                Some((_, list)) => match list.iter_mut().find(|(known, _)| *known == output) {
+                    Some((_, sought)) => *sought = window.sought.max(*sought),
+                    None => list.push((output, window.sought)),
+                },
+                None => chosen.push((window.between, vec![(output, window.sought)])),
             }
         }
-        let part = |(between, outputs): ([f64; 2], Vec<usize>)| Part {
-            between,
-            columns: outputs.iter().map(|i| system.outputs()[*i].clone()).collect(),
-            extremes: Extremes::new(system, &outputs, tolerance),
-            outputs,
+        let part = |(between, list): ([f64; 2], Vec<(usize, Sought)>)| {
+            let outputs: Vec<usize> = list.iter().map(|(i, _)| *i).collect();
+            Part {
+                between,
+                columns: outputs.iter().map(|i| system.outputs()[*i].clone()).collect(),
+                extremes: Extremes::new(system, &outputs, tolerance).seeking(list.iter().map(|(_, sought)| *sought)),
+                outputs,
+            }
         };
         Ok(Windows { parts: chosen.into_iter().map(part).collect() })
     }

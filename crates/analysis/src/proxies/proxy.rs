@@ -9,7 +9,7 @@
 //! *Source*: J. P. Boyd, Solving Transcendental Equations (SIAM 2014), chapter 3 (Chebyshev proxies with subdivision).
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use program::Behind;
 
@@ -72,8 +72,8 @@ pub struct Piece {
 /// Makes proxies; what it remembers is that of one motion.
 #[derive(Clone, Debug)]
 pub struct Proxies {
-    coarse: Points,
-    fine: Points,
+    coarse: &'static Points,
+    fine: &'static Points,
     /// Largest magnitude so far of each place of a row.
     largest: Vec<f64>,
     /// Pieces that may still fail, by quantity.
@@ -84,10 +84,12 @@ pub struct Proxies {
     samples: u64,
 }
 
+static COARSE: LazyLock<Points> = LazyLock::new(|| Points::new(8));
+static FINE: LazyLock<Points> = LazyLock::new(|| Points::new(16));
+
 impl Default for Proxies {
     fn default() -> Proxies {
-        let (coarse, fine) = (Points::new(8), Points::new(16));
-        Proxies { coarse, fine, largest: Vec::new(), bank: Vec::new(), lost: BTreeSet::new(), samples: 0 }
+        Proxies { coarse: &COARSE, fine: &FINE, largest: Vec::new(), bank: Vec::new(), lost: BTreeSet::new(), samples: 0 }
     }
 }
 
@@ -182,7 +184,7 @@ impl Proxies {
 
     /// Adds the pieces of the quantities that are exact enough, and takes them off the part.
     fn take(&self, (rows, rounding): (&[Vec<f64>], &[f64]), (first, behind): &(usize, Arc<Behind>), part: &mut Part, out: &mut Vec<Piece>) {
-        let points = if rows.len() == self.coarse.n + 1 { &self.coarse } else { &self.fine };
+        let points = if rows.len() == self.coarse.n + 1 { self.coarse } else { self.fine };
         let noise = |i: usize| (ROUNDING * self.largest[i]).max(rounding.get(i).copied().filter(|r| r.is_finite()).unwrap_or(0.0));
         let mut look = Look::new(points, rows, behind, *first, ERROR);
         part.left.retain(|&w| {
@@ -222,7 +224,7 @@ impl Proxies {
 
     /// Quantities that have failed too often are taken as they are.
     fn give_up(&mut self, rows: &[Vec<f64>], part: &mut Part, out: &mut Vec<Piece>) {
-        let points = &self.fine;
+        let points = self.fine;
         let (bank, lost) = (&mut self.bank, &mut self.lost);
         part.left.retain(|&w| {
             bank[w] -= 1;

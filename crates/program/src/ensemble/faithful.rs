@@ -5,7 +5,7 @@ use super::rows::{LANES, View};
 use crate::curve::Curve;
 use crate::jets::faithful::{NEAR, NOTHING, RATIO, Watch, Watched};
 use crate::jets::steps::Rows;
-use algebra::simd::{Lanes, Simd, Work, dispatch, way};
+use algebra::simd::{Lanes, Simd, Work, at_most, dispatch, less, plus, scaled, size, times, way, ways};
 
 /// What is watched.
 #[derive(Clone, Debug, Default)]
@@ -16,8 +16,9 @@ pub(super) struct Watches {
     rows: Vec<Row>,
     places: Vec<u32>,
     ways: Vec<Lanes>,
-    /// Of each lane the operations that matter in its modes.
+    /// Of each lane the operations that matter in its modes, and the same by operation: 1 where it does.
     live: [Option<Vec<bool>>; LANES],
+    matters: Vec<Lanes>,
     known: bool,
 }
 
@@ -31,21 +32,21 @@ impl Watches {
         if !self.known {
             self.known = true;
             self.nodes = nodes(ensemble.layout);
+            self.rows = self.nodes.iter().flat_map(|node| [node.a, node.b, node.c]).collect();
+            // rows of one length beside each other
+            self.rows.sort_unstable_by_key(|row| (layout.degrees[*row as usize], *row));
+            self.rows.dedup();
             self.places = vec![u32::MAX; layout.count as usize];
-            for node in &self.nodes {
-                for row in [node.a, node.b, node.c] {
-                    if self.places[row as usize] == u32::MAX {
-                        self.places[row as usize] = self.rows.len() as u32;
-                        self.rows.push(row);
-                    }
-                }
-            }
+            self.rows.iter().zip(0..).for_each(|(row, place)| self.places[*row as usize] = place);
+            self.matters = vec![[0.0; LANES]; self.nodes.len()];
         }
         for lane in 0..LANES {
             if self.live[lane].is_none() {
                 let modes: Vec<u8> = ensemble.modes.0.iter().map(|sides| sides[lane]).collect();
                 let live = layout.live(&modes);
-                self.live[lane] = Some(self.nodes.iter().map(|node| live[node.c as usize]).collect());
+                let live: Vec<bool> = self.nodes.iter().map(|node| live[node.c as usize]).collect();
+                self.matters.iter_mut().zip(&live).for_each(|(matters, live)| matters[lane] = f64::from(u8::from(*live)));
+                self.live[lane] = Some(live);
             }
         }
     }
@@ -134,41 +135,89 @@ impl Work for Look<'_> {
 
     /// Lanes in which an operation that matters may hide something.
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> [bool; LANES] {
-        let count = self.ensemble.stride - 1;
-        for (row, sum) in self.watches.rows.iter().zip(self.ways.iter_mut()) {
-            // Σ_{k>=1} |c_k| h^k
-            let last = self.ensemble.layout.degrees[*row as usize].min(count - 1);
-            *sum = way(simd, &self.ensemble.row(*row)[1..=last], self.lengths);
+    fn with_simd<S: Simd>(mut self, simd: S) -> [bool; LANES] {
+        self.measure(simd);
+        let mut doubts = [0.0; LANES];
+        for (node, matters) in self.watches.nodes.iter().zip(&self.watches.matters) {
+            let doubt = less(simd, &[1.0; LANES], &self.calm(simd, node));
+            doubts = plus(simd, &doubts, &times(simd, matters, &doubt));
         }
-        let mut doubtful = [false; LANES];
-        for (i, node) in self.watches.nodes.iter().enumerate() {
-            for (lane, doubtful) in doubtful.iter_mut().enumerate() {
-                let live = self.watches.live[lane].as_ref().is_some_and(|live| live[i]);
-                *doubtful |= live && !self.is_calm(node, lane);
-            }
-        }
-        doubtful
+        doubts.map(|doubt| doubt != 0.0)
     }
 }
 
 impl Look<'_> {
+    /// Σ_{k>=1} |c_k| h^k of all rows that are watched.
     #[inline(always)]
-    fn is_calm(&self, node: &Watched, lane: usize) -> bool {
-        let way = |row: Row| self.ways[self.watches.places[row as usize] as usize][lane];
-        let first = |row: Row| self.ensemble.row(row)[0][lane];
-        let (a, c) = (way(node.a), way(node.c));
-        if a == 0.0 && !node.curve.has_two() {
-            return true;
-        }
-        let seen = |cross: f64| cross <= self.tolerance * first(node.c).abs() || cross <= NOTHING || cross <= RATIO * c;
-        match node.curve {
-            Curve::Product => seen(a * way(node.b)),
-            Curve::Square => seen(a * a),
-            Curve::Quotient => way(node.b) <= NEAR * first(node.b).abs(),
-            Curve::Root | Curve::Power(_) | Curve::Log => a <= NEAR * first(node.a).abs() && first(node.a) > 0.0 && c > 0.0,
-            Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh => a <= 1.0,
-            _ => false,
+    fn measure<S: Simd>(&mut self, simd: S) {
+        let (ensemble, rows) = (self.ensemble, &self.watches.rows);
+        let count = ensemble.stride - 1;
+        let terms = |row: Row| &ensemble.row(row)[1..=ensemble.layout.degrees[row as usize].min(count - 1)];
+        let mut i = 0;
+        while i < rows.len() {
+            let first = terms(rows[i]);
+            match rows.get(i + 1).map(|row| terms(*row)).filter(|second| second.len() == first.len()) {
+                Some(second) => {
+                    [self.ways[i], self.ways[i + 1]] = ways(simd, [first, second], self.lengths);
+                    i += 2;
+                }
+                None => {
+                    self.ways[i] = way(simd, first, self.lengths);
+                    i += 1;
+                }
+            }
         }
     }
+
+    /// 1 in the lanes in which an operation hides nothing for sure, else 0.
+    #[inline(always)]
+    fn calm<S: Simd>(&self, simd: S, node: &Watched) -> Lanes {
+        let nothing = [0.0; LANES];
+        let (a, b, c) = (self.way(node.a), self.way(node.b), self.way(node.c));
+        match node.curve {
+            Curve::Product => self.seen(simd, node, &times(simd, a, b)),
+            // an argument that does not move hides nothing
+            Curve::Square => either(simd, &at_most(simd, a, &nothing), &self.seen(simd, node, &times(simd, a, a))),
+            Curve::Quotient => at_most(simd, b, &scaled(simd, NEAR, &self.first(simd, node.b))),
+            Curve::Root | Curve::Power(_) | Curve::Log => {
+                let near = at_most(simd, a, &scaled(simd, NEAR, &self.first(simd, node.a)));
+                let inside = times(simd, &above(simd, &self.ensemble.row(node.a)[0], &nothing), &above(simd, c, &nothing));
+                either(simd, &at_most(simd, a, &nothing), &times(simd, &near, &inside))
+            }
+            Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh => at_most(simd, a, &[1.0; LANES]),
+            _ => nothing,
+        }
+    }
+
+    #[inline(always)]
+    fn way(&self, row: Row) -> &Lanes {
+        &self.ways[self.watches.places[row as usize] as usize]
+    }
+
+    /// |c_0|.
+    #[inline(always)]
+    fn first<S: Simd>(&self, simd: S, row: Row) -> Lanes {
+        size(simd, &self.ensemble.row(row)[0])
+    }
+
+    /// 1 where what can be cut off is small beside the result.
+    #[inline(always)]
+    fn seen<S: Simd>(&self, simd: S, node: &Watched, cross: &Lanes) -> Lanes {
+        let (c, first) = (self.way(node.c), self.first(simd, node.c));
+        let large = either(simd, &at_most(simd, cross, &scaled(simd, self.tolerance, &first)), &at_most(simd, cross, &[NOTHING; LANES]));
+        either(simd, &large, &at_most(simd, cross, &scaled(simd, RATIO, c)))
+    }
+}
+
+/// 1 where a > b, else 0.
+#[inline(always)]
+fn above<S: Simd>(simd: S, a: &Lanes, b: &Lanes) -> Lanes {
+    // b < a, and neither equal nor without a number
+    times(simd, &at_most(simd, b, a), &less(simd, &[1.0; LANES], &at_most(simd, a, b)))
+}
+
+/// 1 where one of both is.
+#[inline(always)]
+fn either<S: Simd>(simd: S, a: &Lanes, b: &Lanes) -> Lanes {
+    less(simd, &plus(simd, a, b), &times(simd, a, b))
 }

@@ -12,5 +12,5 @@ mod series;
 mod values;
 
 pub use layout::{Layout, Parts};
-pub use motions::{Ensemble, Span, Values};
+pub use motions::{Ensemble, Rule, Span, Values};
 pub use rows::LANES;

@@ -6,7 +6,8 @@ use super::rows::{LANES, Modes, View};
 use super::series::Series;
 use super::values::Point;
 use crate::Mode;
-use algebra::simd::{Lanes, Shelf, Simd, Work, dispatch, horner, less, plus, plus_product, polynomial, scaled, times};
+use algebra::elementary;
+use algebra::simd::{Lanes, Shelf, Simd, Work, dispatch, horner, horners, less, plus, plus_product, scaled, times, weighted};
 use std::sync::Arc;
 
 /// Values of all rows at one point of each lane.
@@ -46,6 +47,8 @@ pub struct Ensemble {
     stride: usize,
     scratch: Vec<Lanes>,
     watches: Watches,
+    /// Lanes without a machine, whose values nobody reads.
+    idle: [bool; LANES],
 }
 
 impl Ensemble {
@@ -60,6 +63,7 @@ impl Ensemble {
             stride,
             scratch: Vec::new(),
             watches: Watches::default(),
+            idle: [true; LANES],
         }
     }
 
@@ -67,6 +71,12 @@ impl Ensemble {
     pub fn load(&mut self, lane: usize, numbers: &[f64]) {
         self.numbers.iter_mut().zip(numbers).for_each(|(lanes, number)| lanes[lane] = *number);
         self.watches.forget(lane);
+        self.idle[lane] = false;
+    }
+
+    /// Nobody reads a lane until it is loaded again.
+    pub fn rest(&mut self, lane: usize) {
+        self.idle[lane] = true;
     }
 
     /// Gives a lane modes.
@@ -93,7 +103,7 @@ impl Ensemble {
     fn fill(&self, (steps, times, states): (&[u32], &Lanes, &[Lanes]), into: &mut Values) {
         let point = Point { layout: &self.layout, numbers: &self.numbers, modes: &self.modes, times, states };
         let sound = dispatch(Evaluation { point, steps, values: &mut into.rows });
-        into.sound = std::array::from_fn(|lane| sound[lane] || self.has_value(lane, into));
+        into.sound = std::array::from_fn(|lane| sound[lane] || !self.idle[lane] && self.has_value(lane, into));
     }
 
     /// Whether all that matters in the modes of a lane is finite: what overflows on the way is never replaced.
@@ -104,9 +114,12 @@ impl Ensemble {
         live.iter().zip(&*values.rows).all(|(live, row)| !live || row[lane].is_finite())
     }
 
-    /// Work of loads, of drives and of dissipation over a step of each lane, by a rule on -1 to 1; accelerations are those of the polynomials.
-    pub fn works(&self, span: &Span<'_>, rule: &[(f64, f64)], room: &mut Values) -> [Lanes; 3] {
-        dispatch(Works { ensemble: self, span, rule, values: &mut room.rows })
+    /// Work of loads, of drives and of dissipation over a step of each lane; accelerations are those of the polynomials.
+    pub fn works(&mut self, span: &Span<'_>, rule: &Rule, room: &mut Values) -> [Lanes; 3] {
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let works = dispatch(Works { ensemble: self, span, rule, values: &mut room.rows, scratch: &mut scratch });
+        self.scratch = scratch;
+        works
     }
 
     /// Expands the motions through a point, whose values these are. Tells in which lanes all coefficients of the states are finite.
@@ -159,11 +172,37 @@ pub struct Span<'a> {
     pub lengths: &'a Lanes,
 }
 
+/// Points of a rule that are looked at together.
+const GROUP: usize = 4;
+
+/// A rule for integrals over steps of one order.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// Shares of the step, and weights.
+    points: Vec<(f64, f64)>,
+    /// u^k and k u^(k-1), k from 1 on, of the points by groups.
+    powers: Vec<[Vec<[f64; GROUP]>; 2]>,
+}
+
+impl Rule {
+    /// From a rule on -1 to 1 whose points are whole groups of four.
+    pub fn new(rule: &[(f64, f64)], order: usize) -> Rule {
+        let points: Vec<(f64, f64)> = rule.iter().map(|(u, weight)| (0.5 * (1.0 + u), 0.5 * weight)).collect();
+        let group = |points: &[(f64, f64); GROUP]| {
+            let power = |k: usize| points.map(|(u, _)| elementary::powi(u, k as i32));
+            [(1..=order).map(power).collect(), (1..=order).map(|k| power(k - 1).map(|u| k as f64 * u)).collect()]
+        };
+        let powers = points.as_chunks::<GROUP>().0.iter().map(group).collect();
+        Rule { points, powers }
+    }
+}
+
 struct Works<'a> {
     ensemble: &'a Ensemble,
     span: &'a Span<'a>,
-    rule: &'a [(f64, f64)],
+    rule: &'a Rule,
     values: &'a mut [Lanes],
+    scratch: &'a mut Vec<Lanes>,
 }
 
 impl Work for Works<'_> {
@@ -171,27 +210,44 @@ impl Work for Works<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> [Lanes; 3] {
-        let Works { ensemble, span, rule, values } = self;
-        let (layout, n_x) = (&*ensemble.layout, ensemble.layout.states.len());
-        let mut room = vec![[0.0; LANES]; n_x + layout.coordinates];
-        let mut works = [[0.0; LANES]; 3];
-        for (u, weight) in rule {
-            let taus = scaled(simd, 0.5 * (1.0 + u), span.lengths);
-            for slot in &layout.read {
-                let i = *slot as usize;
-                room[i] = if i < n_x {
-                    let change = polynomial(simd, &ensemble.state(i)[1..], &taus);
-                    plus(simd, &plus_product(simd, &span.states[1][i], &change, &taus), &span.states[0][i])
-                } else {
-                    // x = x(0) + τ V(τ) gives x' = V + τ V'
-                    let [value, rate] = horner(simd, &ensemble.state(i - n_x + layout.coordinates)[1..], &taus);
-                    plus_product(simd, &value, &taus, &rate)
-                };
+        let Works { ensemble, span, rule, values, scratch } = self;
+        let (layout, n_x, order) = (&*ensemble.layout, ensemble.layout.states.len(), ensemble.stride - 1);
+        let width = n_x + layout.coordinates;
+        scratch.clear();
+        scratch.resize(2 * order + width * rule.points.len(), [0.0; LANES]);
+        let (powers, rest) = scratch.split_at_mut(order);
+        let (scaled_row, room) = rest.split_at_mut(order);
+        // h^(k-1)
+        let mut power = [1.0; LANES];
+        for place in powers.iter_mut() {
+            *place = power;
+            power = times(simd, &power, span.lengths);
+        }
+        for slot in &layout.read {
+            let i = *slot as usize;
+            // x = x(0) + h Σ c_k h^(k-1) u^k, x' = Σ c_k h^(k-1) k u^(k-1)
+            let state = if i < n_x { i } else { i - n_x + layout.coordinates };
+            for ((e, c), power) in scaled_row.iter_mut().zip(&ensemble.state(state)[1..]).zip(powers.iter()) {
+                *e = times(simd, c, power);
             }
+            for (g, [values, slopes]) in rule.powers.iter().enumerate() {
+                let four = weighted(simd, scaled_row, if i < n_x { values } else { slopes });
+                for (j, value) in four.iter().enumerate() {
+                    room[(GROUP * g + j) * width + i] = if i < n_x {
+                        plus(simd, &plus_product(simd, &span.states[1][i], span.lengths, value), &span.states[0][i])
+                    } else {
+                        *value
+                    };
+                }
+            }
+        }
+        let mut works = [[0.0; LANES]; 3];
+        for ((u, weight), states) in rule.points.iter().zip(room.chunks_exact(width.max(1))) {
+            let taus = scaled(simd, *u, span.lengths);
             let times = plus(simd, span.times[0], &plus(simd, span.times[1], &taus));
-            let point = Point { layout, numbers: &ensemble.numbers, modes: &ensemble.modes, times: &times, states: &room };
+            let point = Point { layout, numbers: &ensemble.numbers, modes: &ensemble.modes, times: &times, states };
             point.fill(simd, &layout.powers, values);
-            let shares = scaled(simd, 0.5 * weight, span.lengths);
+            let shares = scaled(simd, *weight, span.lengths);
             for (work, row) in works.iter_mut().zip(&layout.supply) {
                 *work = plus_product(simd, work, &shares, &values[*row as usize]);
             }
@@ -239,10 +295,18 @@ impl Work for Motion<'_> {
     /// x = x(0) + τ V(τ) gives x' = V + τ V'.
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        for (i, (change, slope)) in self.changes.iter_mut().zip(self.slopes).enumerate() {
-            let [value, rate] = horner(simd, &self.ensemble.state(i)[1..], self.taus);
-            *change = times(simd, &value, self.taus);
-            *slope = plus_product(simd, &value, self.taus, &rate);
+        let count = self.changes.len();
+        for i in (0..count).step_by(2) {
+            let row = |i: usize| &self.ensemble.state(i)[1..];
+            let found = if i + 1 < count {
+                horners(simd, [row(i), row(i + 1)], self.taus)
+            } else {
+                [horner(simd, row(i), self.taus), [[0.0; LANES]; 2]]
+            };
+            for (i, [value, rate]) in (i..count).zip(found) {
+                self.changes[i] = times(simd, &value, self.taus);
+                self.slopes[i] = plus_product(simd, &value, self.taus, &rate);
+            }
         }
     }
 }

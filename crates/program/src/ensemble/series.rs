@@ -3,7 +3,7 @@
 use super::layout::{Layout, Row, Step, UNBOUNDED, What};
 use super::rows::Modes;
 use super::values::substitute;
-use algebra::simd::{Lanes, Simd, Work, cauchy, cauchys, divided, less, over, plus, plus_product, scaled, squared, times};
+use algebra::simd::{Lanes, Simd, Work, cauchy, cauchys, less, over, plus, plus_product, scaled, squared, times};
 
 /// Coefficients of all rows; those of a row stand behind each other.
 pub(super) struct Series<'a> {
@@ -30,9 +30,9 @@ impl Work for Series<'_> {
                     self.advance(simd, &layout.steps[*i as usize], k);
                 }
             }
-            let divisor = (k + 1) as f64;
+            let share = 1.0 / (k + 1) as f64;
             for (state, rate) in layout.states.iter().zip(&layout.rates) {
-                let value = divided(simd, self.at(*rate, k), divisor);
+                let value = scaled(simd, share, self.at(*rate, k));
                 nothing = plus(simd, &nothing, &less(simd, &value, &value));
                 self.put(*state, k + 1, value);
             }
@@ -96,9 +96,9 @@ impl Series<'_> {
                 self.weigh(simd, (step.own, *a), k);
                 let w = self.run(step.own, 0, k);
                 let [c, s] = cauchys(simd, w, [self.run(step.row, 0, k), self.run(step.row + 1, 0, k)]);
-                let whole = if *hyperbolic { k as f64 } else { -(k as f64) };
-                self.put(step.row + 1, k, divided(simd, &c, whole));
-                divided(simd, &s, k as f64)
+                let share = 1.0 / k as f64;
+                self.put(step.row + 1, k, scaled(simd, if *hyperbolic { share } else { -share }, &c));
+                scaled(simd, share, &s)
             }
             What::Solve { matrix, right } => {
                 self.solve(simd, step, (matrix, right), k);
@@ -145,19 +145,19 @@ impl Series<'_> {
             }
             What::Exp(a) => {
                 self.weigh(simd, (own, *a), k);
-                divided(simd, &cauchy(simd, self.run(own, 0, k), self.run(row, 0, k)), whole)
+                scaled(simd, 1.0 / whole, &cauchy(simd, self.run(own, 0, k), self.run(row, 0, k)))
             }
             // c' a = a'
             What::Log(a) => {
                 let rest = cauchy(simd, self.run(own, 0, k - 1), self.run(*a, 1, k));
                 let slope = over(simd, &less(simd, &scaled(simd, whole, self.at(*a, k)), &rest), self.at(*a, 0));
                 self.put(own, k - 1, slope);
-                divided(simd, &slope, whole)
+                scaled(simd, 1.0 / whole, &slope)
             }
             // c' = a' u, u = 1 - c²
             What::Tanh(a) => {
                 self.weigh(simd, (own, *a), k);
-                let value = divided(simd, &cauchy(simd, self.run(own, 0, k), self.run(own + 1, 0, k)), whole);
+                let value = scaled(simd, 1.0 / whole, &cauchy(simd, self.run(own, 0, k), self.run(own + 1, 0, k)));
                 self.put(row, k, value);
                 let square = squared(simd, self.run(row, 0, k + 1));
                 self.put(own + 1, k, scaled(simd, -1.0, &square));

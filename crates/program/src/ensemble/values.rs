@@ -2,10 +2,9 @@
 
 use super::layout::{Layout, Row, Step, What};
 use super::rows::Modes;
-use crate::Unary;
 use crate::solve::SINGULAR;
 use algebra::elementary;
-use algebra::simd::{Lanes, Simd, less, over, plus_product, root, sin_cos, times};
+use algebra::simd::{Lanes, Simd, exp, less, log, over, plus_product, root, sin_cos, sinh_cosh, tanh, times};
 
 /// Values of all rows at a point of each lane.
 pub(super) struct Point<'a> {
@@ -43,47 +42,37 @@ impl Point<'_> {
                     values[step.row as usize + 1] = cosines;
                     sines
                 }
+                What::SinCos { a, hyperbolic: true } => {
+                    let [sines, cosines] = sinh_cosh(simd, at(a));
+                    values[step.row as usize + 1] = cosines;
+                    sines
+                }
+                What::Exp(a) => exp(simd, at(a)),
+                What::Log(a) => log(simd, at(a)),
+                What::Tanh(a) => {
+                    let [value, rest] = tanh(simd, at(a));
+                    values[step.own as usize + 1] = rest;
+                    value
+                }
+                What::Power(a, p) => power(at(a), &self.numbers[*p as usize]),
                 What::Choose { guard, sides } => self.modes.chosen(*guard, sides, |row| at(&row)),
                 What::Solve { .. } => {
                     solve_first(simd, step, values);
                     continue;
                 }
-                _ => rarely(step, values, self.numbers),
             };
             values[step.row as usize] = value;
         }
     }
 }
 
-/// Functions, lane by lane: one source for all paths.
+/// Powers, lane by lane: the only function left to the library.
 #[inline(never)]
-fn rarely(step: &Step, values: &mut [Lanes], numbers: &[Lanes]) -> Lanes {
-    let at = |row: &Row| values[*row as usize];
-    match &step.what {
-        What::Power(a, p) => {
-            let (x, p) = (at(a), numbers[*p as usize]);
-            std::array::from_fn(|lane| elementary::pow(x[lane], p[lane]))
-        }
-        What::Exp(a) => at(a).map(|x| Unary::Exp.apply(x)),
-        What::Log(a) => at(a).map(|x| Unary::Log.apply(x)),
-        What::Tanh(a) => {
-            let x = at(a);
-            // 1 - tanh² has few digits left near saturation; what tanh itself does not show any more is nothing
-            let u = |x: f64| Some(elementary::powi(elementary::cosh(x), -2)).filter(|u| *u > f64::EPSILON).unwrap_or(0.0);
-            values[step.own as usize + 1] = x.map(u);
-            x.map(|x| Unary::Tanh.apply(x))
-        }
-        What::SinCos { a, hyperbolic: true } => {
-            let x = at(a);
-            values[step.row as usize + 1] = x.map(elementary::cosh);
-            x.map(elementary::sinh)
-        }
-        // done where they are found
-        _ => [f64::NAN; 8],
-    }
+fn power(x: &Lanes, p: &Lanes) -> Lanes {
+    std::array::from_fn(|lane| elementary::pow(x[lane], p[lane]))
 }
 
-/// M = L D Lᵀ, D on the diagonal, and M⁻¹ h. A pivot that is not positive spoils the lane.
+/// M = L D Lᵀ, the reciprocals of D on the diagonal, and M⁻¹ h. A pivot that is not positive spoils the lane.
 #[inline(always)]
 fn solve_first<S: Simd>(simd: S, step: &Step, values: &mut [Lanes]) {
     let What::Solve { matrix, right } = &step.what else { return };
@@ -105,12 +94,13 @@ fn solve_first<S: Simd>(simd: S, step: &Step, values: &mut [Lanes]) {
         }
         for j in 0..i {
             let c = values[own + i * n + j];
-            let l = over(simd, &c, &values[own + j * n + j]);
+            let l = times(simd, &c, &values[own + j * n + j]);
             pivot = less(simd, &pivot, &times(simd, &l, &c));
             values[own + i * n + j] = l;
         }
         let lost = diagonal.map(|d| SINGULAR * n as f64 * d.abs());
-        values[own + i * n + i] = std::array::from_fn(|lane| if pivot[lane] > lost[lane] { pivot[lane] } else { f64::NAN });
+        let sound = std::array::from_fn(|lane| if pivot[lane] > lost[lane] { pivot[lane] } else { f64::NAN });
+        values[own + i * n + i] = over(simd, &[1.0; 8], &sound);
     }
     for (i, row) in right.iter().enumerate() {
         values[step.row as usize + i] = values[*row as usize];
@@ -129,7 +119,7 @@ pub(super) fn substitute<S: Simd>(simd: S, n: usize, [factors, h]: [usize; 2], v
         values[h + i] = value;
     }
     for i in 0..n {
-        values[h + i] = over(simd, &values[h + i], &values[factors + i * n + i]);
+        values[h + i] = times(simd, &values[h + i], &values[factors + i * n + i]);
     }
     for i in (0..n).rev() {
         for j in 0..i {

@@ -4,6 +4,7 @@ use super::wanted::Noted;
 use crate::failure::in_words;
 use crate::machine::Machine;
 use crate::{Finds, Given, idle};
+use analysis::reduce::Reduction;
 use mechanics::asked::{Asked, Value as Taken};
 use words::{Notice, Text};
 
@@ -54,5 +55,8 @@ pub(super) fn observing(machine: &Machine, asked: &mut Asked, noted: &[Noted]) {
         asked.unset("every");
         asked.set("at", Taken::Numbers(Vec::new()));
         asked.set("windows", Taken::Windows(reduced().filter_map(|r| Some((r.of.clone(), r.window?))).collect()));
+        // of these nothing but means
+        let others = |of: &String| reduced().any(|r| r.of == *of && r.window.is_some() && r.reduction != Reduction::Mean);
+        asked.set("means", Taken::Words(reduced().map(|r| r.of.clone()).filter(|of| !others(of)).collect()));
     }
 }

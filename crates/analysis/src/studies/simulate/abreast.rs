@@ -173,19 +173,18 @@ fn run(group: &Group, rows: Vec<(usize, usize, Row<'_, '_>)>, made: &mut [Made],
         }
         flow.advance();
         for (lane, own) in lanes.iter_mut().enumerate() {
-            let Some((i, mut row)) = own.take() else { continue };
-            match flow.state(lane) {
-                State::Under if row.is_stiff(&flow, lane) || row.is_hopeless(&flow, lane) => made[i] = Made::Unusual,
-                State::Under => {
-                    row.look((&flow, lane), &mut step);
-                    *own = Some((i, row));
-                    continue;
-                }
-                State::Done => {
-                    row.look((&flow, lane), &mut step);
-                    made[i] = row.finish(&flow, lane);
-                }
-                State::Idle | State::Lost => made[i] = Made::Unusual,
+            // a row is large: it stays where it is until its motion has ended
+            let Some((_, row)) = own else { continue };
+            let state = flow.state(lane);
+            let given_up = state == State::Under && (row.is_stiff(&flow, lane) || row.is_hopeless(&flow, lane));
+            if !given_up && matches!(state, State::Under | State::Done) {
+                row.look((&flow, lane), &mut step);
+            }
+            if state == State::Under && !given_up {
+                continue;
+            }
+            if let Some((i, row)) = own.take() {
+                made[i] = if state == State::Done { row.finish(&flow, lane) } else { Made::Unusual };
             }
             flow.take(lane);
         }
