@@ -17,8 +17,6 @@ const ELIMINATED: f64 = 1e-14;
 const CANCELLED: f64 = 1e-13;
 /// Systems of dozens of rows and series of dozens of terms: rounding of some thousand operations, relative to the largest.
 const SUMMED: f64 = 1e-12;
-/// Central differences with the step 1e-5 of forces of some newtons: step² and rounding over step are both below.
-const DIFFERENCE: f64 = 1e-7;
 
 fn bind(e: &Equations) -> Bound {
     let program = Arc::new(lower::equations(e).unwrap());

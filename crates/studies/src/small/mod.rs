@@ -26,6 +26,7 @@ use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::studies::rest::branch::{Beyond, Branch};
 use analysis::studies::rest::contacts::Contacts;
 use analysis::studies::rest::degenerate::{degenerate, remark};
+use analysis::studies::rest::kinks;
 use analysis::studies::rest::stability::with_closed;
 use analysis::{Dataset, Fault, Quantity, System};
 use std::sync::Arc;
@@ -241,7 +242,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     let rows = data.columns.first().map_or(0, |c| c.values.len());
     let (mut growth, mut negative) = (Vec::new(), Vec::new());
     let mut verdicts = Vec::new();
-    let (mut higher, mut neutral) = (Vec::new(), false);
+    let (mut higher, mut neutral, mut kink) = (Vec::new(), false, false);
     for row in 0..rows {
         let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
         let Some(q) = q else { return };
@@ -252,6 +253,11 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
         let listed = found.as_ref().map_or(&[][..], |f| &f.modes);
         let verdict = matrices.as_ref().map_or(None, |m| analysis::studies::rest::stability::verdict(m, listed));
         let of = |verdict: Option<bool>| verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable)));
+        if kinks::is_kink(&mut linear, &place) {
+            kink = true;
+            [&mut verdicts, &mut growth, &mut negative].into_iter().for_each(|column| column.push(f64::NAN));
+            continue;
+        }
         if let Some(found) = degenerate(&mut linear, &place) {
             verdicts.push(of(found.stable));
             higher.push(found);
@@ -271,6 +277,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
         data.notes.retain(|note| neutral || *note != analysis::studies::equilibrium::neutral());
         data.notes.push(remark);
     }
+    data.notes.extend(kink.then(kinks::remark));
     let column = |name: &str, unit: &str, label: Text, values: Vec<f64>| Column {
         quantity: Quantity { label, ..Quantity::new(name, unit) },
         values,

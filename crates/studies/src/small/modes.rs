@@ -15,6 +15,7 @@ use analysis::rest::search::accelerated;
 use analysis::studies::modes::{self, Damping, Kind, Mode, Modes, Normalisation};
 use analysis::studies::rest::branch::Change;
 use analysis::studies::rest::degenerate::{Degenerate, degenerate, remark};
+use analysis::studies::rest::kinks;
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::FrequencyVariable;
@@ -46,6 +47,8 @@ pub struct Found {
     pub tracks: Option<Tracks>,
     /// What decides where the stiffness vanishes in a direction.
     pub degenerate: Option<Degenerate>,
+    /// Whether a force has a kink at the place.
+    pub kink: bool,
     /// Whether they are about the motion as it is at the start.
     pub about_start: bool,
     /// The highest oscillation that the coordinates of a frame hold, rad/s, when higher ones are left out.
@@ -95,6 +98,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     let mut matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
     let degenerate = if study.about_start { None } else { degenerate(&mut small.machine, &small.place) };
+    let kink = !study.about_start && kinks::is_kink(&mut small.machine, &small.place);
     if let Some(found) = &degenerate {
         found.settle(&mut matrices);
     }
@@ -114,7 +118,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     };
     let (about_start, kept) = (study.about_start, machine.model.structure.as_ref().and_then(|structure| structure.kept));
     let equation = equation.map(|e| e.0);
-    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation, tracks, degenerate, about_start, kept })
+    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation, tracks, degenerate, kink, about_start, kept })
 }
 
 fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
@@ -168,6 +172,7 @@ fn dataset(found: &Found) -> Dataset {
     }
     data.notes.extend(found.kept.and_then(|kept| left_out(found, kept)));
     data.notes.extend(remark(found.degenerate.iter()));
+    data.notes.extend(found.kink.then(kinks::remark));
     data.notes.extend(timing_notes(timing(found)));
     data
 }
@@ -298,7 +303,7 @@ fn to_json(found: Option<&Found>) -> Map<String, Value> {
     }
     let place: Map<String, Value> = names.iter().zip(&f.small.place.q).map(|(q, v)| (q.name.clone(), json!(v))).collect();
     own.insert("equilibrium".into(), Value::Object(place));
-    own.insert("stable".into(), json!(stability(&f.modes, f.degenerate.as_ref())));
+    own.insert("stable".into(), json!(if f.kink { None } else { stability(&f.modes, f.degenerate.as_ref()) }));
     let damping = match f.modes.damping {
         Damping::None => "none",
         Damping::Classical => "classical",

@@ -30,7 +30,7 @@ use analysis::studies::modes::{Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, magnitude};
 use analysis::studies::rest::branch::Branch;
 use analysis::studies::rest::changes;
-use analysis::studies::rest::degenerate;
+use analysis::studies::rest::{degenerate, kinks};
 use analysis::studies::superposition::{self, Care, Superposed};
 use analysis::studies::swings::judged;
 use analysis::studies::tracks::tracks;
@@ -164,6 +164,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     refuse_open(machine, &quantities)?;
     let mut notes = remarks(machine, &small);
     notes.extend(degenerate::remark(degenerate::degenerate(&mut small.machine, &small.place).iter()));
+    notes.extend(kinks::is_kink(&mut small.machine, &small.place).then(kinks::remark));
     let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
     let load = (source.clone(), parameter);

@@ -35,14 +35,15 @@ pub(super) fn end(zeros: &mut dyn Zeros, places: &[Place]) -> Option<Special> {
     let ahead = |h: f64| -> Vec<f64> { a.y.iter().zip(&a.tangent).map(|(y, t)| y + h * t).collect() };
     let h = BEYOND.into_iter().find(|h| is_other(zeros, a, &ahead(*h)))?;
     let last = a.y.len() - 1;
-    Some(Special { what: What::Grazing, place: a.clone(), within: (h * a.tangent[last]).abs().max(left(places)) })
+    // the end of the way that was found, and what the last point is off by
+    Some(Special { what: What::Grazing, place: a.clone(), within: (2.0 * h * a.tangent[last]).abs().max(left(places)) })
 }
 
-/// How far the parameter is from where the slowest switch of the last two points is only touched, by a straight line; 0 where it does not grow slower.
+/// How far the parameter is from where the slowest switch of the last two points is only touched, by a straight line and no farther than they are from each other; 0 where it does not grow slower.
 fn left(places: &[Place]) -> f64 {
     let Some([before, a]) = places.last_chunk::<2>() else { return 0.0 };
     let rates = before.local.facts.slowest.zip(a.local.facts.slowest).filter(|(u, v)| u.guard == v.guard && v.rate < u.rate);
-    rates.map_or(0.0, |(u, v)| ((a.parameter() - before.parameter()) * v.rate / (u.rate - v.rate)).abs())
+    rates.map_or(0.0, |(u, v)| ((a.parameter() - before.parameter()) * (v.rate / (u.rate - v.rate)).min(1.0)).abs())
 }
 
 /// Whether motions right beside a place switch otherwise than that of a point: on which side they do does not follow from the branch.

@@ -14,6 +14,7 @@ use symbolic::{Equations, SymbolId};
 use words::Text;
 
 use super::degenerate::{Degenerate, degenerate, remark};
+use super::kinks;
 use super::stability::{free_directions, verdict, with_closed};
 use crate::audits;
 use crate::dataset::{Audit, Column, Dataset, Missing};
@@ -45,6 +46,8 @@ struct Row {
     free: usize,
     second: Option<f64>,
     degenerate: Option<Degenerate>,
+    /// Whether a force has a kink there.
+    kink: bool,
 }
 
 /// What is studied: the equations of rest, and those of motion, whose rates small motions need.
@@ -110,7 +113,7 @@ fn attempt(
             observed::complete(equations, (parameters, &place.q), &mut place.reactions);
             notes.extend(observed::left_open(equations, &place.reactions, observed::Left::Hidden));
             let second = second(equations, parameters, &place);
-            rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None });
+            rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false });
             notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
@@ -130,6 +133,7 @@ fn attempt(
         notes.push(crate::studies::equilibrium::neutral());
     }
     notes.extend(remark(rows.iter().filter_map(|r| r.degenerate.as_ref())));
+    notes.extend(rows.iter().any(|r| r.kink).then(kinks::remark));
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
@@ -167,7 +171,7 @@ fn at_limits(
         notes.extend(ranges);
         observed::complete(equations, (parameters, &place.q), &mut place.reactions);
         let second = second(equations, parameters, &place);
-        rows.push(Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None });
+        rows.push(Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false });
     }
     let said = |(r, direction): &Impending, forward: &'static str, backward: &'static str| {
         format!("{} ({})", equations.reactions[*r].name, if *direction > 0.0 { forward } else { backward })
@@ -267,7 +271,7 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
 fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fault> {
     let equations = studied.rest;
     let second = second(equations, parameters, &place);
-    let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None };
+    let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false };
     // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
     let closed = with_closed(studied.motion, &row.place.closed);
@@ -293,6 +297,11 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     }
     row.stable = if strange { None } else { verdict(&along, found.as_ref().map_or(&[][..], |f| &f.modes)) };
     row.degenerate = if strange { None } else { degenerate(&mut linear, &at) };
+    if kinks::is_kink(&mut linear, &at) {
+        (row.stable, row.growth, row.negative, row.kink) = (None, f64::NAN, f64::NAN, true);
+        row.degenerate = None;
+        return Ok(row);
+    }
     if let Some(Degenerate { stable, .. }) = &row.degenerate {
         (row.stable, row.growth, row.negative) = (*stable, f64::NAN, f64::NAN);
         // one direction less: the place is isolated in it
