@@ -28,6 +28,9 @@ pub struct Window {
     pub sought: Sought,
 }
 
+/// Instants with the outputs between them.
+type Chosen = ([f64; 2], Vec<(usize, Sought)>);
+
 /// All outputs between the same instants.
 #[derive(Clone, Debug)]
 struct Part {
@@ -48,7 +51,7 @@ impl Windows {
     ///
     /// *Errors*: an output that does not exist; a window that is empty, or not inside the run.
     pub fn new<S: System + ?Sized>(system: &S, windows: &[Window], (until, tolerance): (f64, f64)) -> Result<Windows, Fault> {
-        let mut chosen: Vec<([f64; 2], Vec<(usize, Sought)>)> = Vec::new();
+        let mut chosen: Vec<Chosen> = Vec::new();
         for window in windows {
             let outputs = system.outputs();
             let output = outputs.iter().position(|q| q.name == window.output).ok_or_else(|| {
@@ -67,7 +70,7 @@ impl Windows {
                 None => chosen.push((window.between, vec![(output, window.sought)])),
             }
         }
-        let part = |(between, list): ([f64; 2], Vec<(usize, Sought)>)| {
+        let part = |(between, list): Chosen| {
             let outputs: Vec<usize> = list.iter().map(|(i, _)| *i).collect();
             Part {
                 between,
