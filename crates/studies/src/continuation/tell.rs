@@ -77,13 +77,14 @@ pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diag
         "Прослежено то, что связано с исходным движением; отдельно лежащие замкнутые ветви не разыскиваются.",
     ));
     creases::tell(machine, study, diagram, results);
-    if let Some(spine) = &spine {
-        let label = machine.model.parameters.iter().find(|p| p.name == study.name).map(|p| p.label.clone()).unwrap_or_default();
-        let (symbol, unit) = (symbol(machine, &study.name), unit(machine, &study.name));
-        let parameter = Quantity { symbol, label, ..Quantity::new(&study.name, &unit) };
-        spine.tell((&parameter, &coordinates(machine)), results);
-    }
+    spine.iter().for_each(|spine| spine.tell((&parameter(machine, study), &coordinates(machine)), results));
     results.body = Body::After(Arc::new(Shown::new(machine, study, (diagram, spine))));
+}
+
+/// The parameter as a column has it.
+fn parameter(machine: &Machine, study: &Branched) -> Quantity {
+    let label = machine.model.parameters.iter().find(|p| p.name == study.name).map(|p| p.label.clone()).unwrap_or_default();
+    Quantity { symbol: symbol(machine, &study.name), label, ..Quantity::new(&study.name, &unit(machine, &study.name)) }
 }
 
 /// Share of a parameter below which what is not known of it is no digit of the table.
