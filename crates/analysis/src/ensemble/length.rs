@@ -6,7 +6,6 @@ use algebra::elementary;
 use algebra::simd::{Lanes, Simd, Work, dispatch, largest as widest, largest_term, over, roots, scaled, times};
 use program::ensemble::{Ensemble, LANES};
 
-
 /// Tolerance, order and the numbers that follow from them.
 #[derive(Clone, Debug)]
 pub(crate) struct Lengths {

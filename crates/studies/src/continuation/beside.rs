@@ -42,7 +42,7 @@ pub(super) struct Free {
 /// The curve beside the branches that were found.
 ///
 /// # Errors
-/// S168 where the parameter is no frequency of the load; what a backbone curve objects to.
+/// S170 where the parameter is no frequency of the load; what a backbone curve objects to.
 pub(super) fn spine(machine: &Machine, (study, wanted): (&Branched, &Wanted), diagram: &Diagram, watch: &Watch) -> Result<Spine, Notice> {
     let turn = turn(diagram).ok_or_else(|| no_frequency(&study.name))?;
     let values: Vec<(&str, f64)> = wanted.values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
@@ -84,10 +84,10 @@ fn turn(diagram: &Diagram) -> Option<f64> {
     known
 }
 
-/// S168.
+/// S170.
 fn no_frequency(name: &str) -> Notice {
     Notice::new(
-        "S168",
+        "S170",
         format!("`{name}` is not the frequency of a load"),
         format!("`{name}` — не частота нагрузки"),
     )

@@ -122,7 +122,7 @@ pub(super) const EXPLANATIONS: &[Explanation] = &[
         ),
     ),
     plain(
-        "S168",
+        "S170",
         ("a backbone curve needs the frequency of a load", "скелетная кривая строится по частоте нагрузки"),
         (
             "With `backbone` the study `continue` lays the free oscillations of the machine without losses and loads over its frequency response. Both have one axis only where the parameter is the frequency of the load, in \

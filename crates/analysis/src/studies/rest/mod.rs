@@ -7,7 +7,7 @@ pub mod branch;
 pub mod changes;
 pub mod contacts;
 pub mod degenerate;
-pub mod kinks;
 pub mod fall;
+pub mod kinks;
 pub mod report;
 pub mod stability;

@@ -113,7 +113,10 @@ fn attempt(
             observed::complete(equations, (parameters, &place.q), &mut place.reactions);
             notes.extend(observed::left_open(equations, &place.reactions, observed::Left::Hidden));
             let second = second(equations, parameters, &place);
-            rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false });
+            rows.insert(
+                0,
+                Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false },
+            );
             notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
