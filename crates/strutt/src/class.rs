@@ -210,7 +210,8 @@ fn page(document: &Document) -> Vec<u8> {
 /// A file would replace an input (C052), or the disk refuses (C005).
 /// Or the table of answers has been filled in since (C052).
 pub fn write(course: &Course, folder: &Path, inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Box<Notice>> {
-    for (name, ..) in course.files.iter().filter(|(name, what, _)| *what == Word::AnswerSheet && is_filled(&folder.join(name))) {
+    let filled = |(name, what, _): &&(String, Word, Vec<u8>)| *what == Word::AnswerSheet && is_filled(&folder.join(name));
+    if let Some((name, ..)) = course.files.iter().find(filled) {
         return Err(Box::new(answers_kept(&folder.join(name))));
     }
     put(&course.files, folder, inputs)

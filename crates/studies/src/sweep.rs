@@ -204,7 +204,7 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Resu
         plots: study.plots.clone(),
         ..Results::default()
     };
-    match repeat(machine, study, watch, &mut results) {
+    match given_once(study).and_then(|()| repeat(machine, study, watch, &mut results)) {
         Ok(data) => results.data = provenance::stamp(data, &machine.equations, &machine.model_hash),
         Err(trouble) => {
             results.data = machine::no_numbers(machine);
@@ -215,13 +215,18 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Resu
     checked(results)
 }
 
-/// Runs row by row, then what is said of all of them, in the order of the page.
-fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
+/// M070 where values of one name are given twice.
+fn given_once(study: &Sweep) -> Result<(), Notice> {
     let twice = study.over.iter().enumerate().find(|(i, range)| study.over[..*i].iter().any(|other| other.name == range.name));
     if let Some((_, range)) = twice {
         return Err(Notice::new("M070", format!("`{}` is given twice", range.name), format!("`{}` задан дважды", range.name))
             .help("give all its values in one range: m=1 kg; 2 kg", "задайте все значения в одном наборе: m=1 кг; 2 кг"));
     }
+    Ok(())
+}
+
+/// Runs row by row, then what is said of all of them, in the order of the page.
+fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
     let (observe, regimes) = observed(machine, &study.observe)?;
     let asks = Asks { observe: &observe, of: study.of.as_deref(), inner: &study.inner };
     let repeated = Repeated::new(machine, asks)?;

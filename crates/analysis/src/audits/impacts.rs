@@ -58,8 +58,9 @@ impl ImpactEnergy {
         if let Some([before, after]) = energies {
             self.energy = self.energy.max(before).max(after);
             let size = before.max(after).max(DYING * self.energy);
-            let off = if size > 0.0 { (before - after - lost).abs() / size } else { 0.0 };
-            self.off = Some(self.off.unwrap_or(0.0).max(off));
+            // a slow blow on a fast surface: its rate is a difference of speeds, and rounded like these
+            let off = ((before - after - lost).abs() - work.rounding).max(0.0);
+            self.off = Some(self.off.unwrap_or(0.0).max(if size > 0.0 { off / size } else { 0.0 }));
         }
         lost
     }

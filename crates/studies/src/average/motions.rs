@@ -124,7 +124,7 @@ impl Runs<'_> {
     }
 
     /// Mean speeds of motions from the start of the file, at equally spaced values.
-    pub(super) fn from_start(&self, machine: &Machine, watch: &Watch) -> Result<Vec<Ran>, Notice> {
+    pub(super) fn motions_from_start(&self, machine: &Machine, watch: &Watch) -> Result<Vec<Ran>, Notice> {
         let mut motions = Motions::new(machine, self.angle, self.until)?;
         let mut all = Vec::with_capacity(MOTIONS);
         for value in self.values(MOTIONS) {

@@ -217,7 +217,7 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let runs = match asked.number("runs") {
         Some(until) => {
             let runs = Runs { name, angle: &walk.angle.name, ends: [from, to], until };
-            if asked.word("runs_from") == Some(NEIGHBOUR) { runs.forth_and_back(machine, watch)? } else { runs.from_start(machine, watch)? }
+            motions(&runs, asked, (machine, watch))?
         }
         None => Vec::new(),
     };
@@ -237,6 +237,14 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     tell(machine, name, &Along { speeds: found, folds, curves, runs }, results);
     results.words.extend(lacking);
     Ok(())
+}
+
+/// The machine itself, from where each motion is to begin.
+fn motions(runs: &Runs, asked: &Asked, (machine, watch): (&Machine, &mut Watch)) -> Result<Vec<Ran>, Notice> {
+    match asked.word("runs_from") {
+        Some(NEIGHBOUR) => runs.forth_and_back(machine, watch),
+        _ => runs.motions_from_start(machine, watch),
+    }
 }
 
 /// Intervals of the parameter in which the number of speeds changes without a fold that is known.

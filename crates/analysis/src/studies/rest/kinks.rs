@@ -10,6 +10,9 @@ use words::Text;
 const BESIDE: f64 = 1e-8;
 /// The least size of a coordinate, m or rad: a machine in its zero position has none of its own.
 const LEAST: f64 = 1e-3;
+/// How much nearer matrices are compared again, and the share of their difference that is left there at a kink: of a stiffness that passes through zero a sixteenth is.
+const NEARER: f64 = 16.0;
+const LEFT: f64 = 0.5;
 /// Share of the largest entry by which matrices of both sides differ at a kink: those of a smooth force differ by about the share above.
 const APART: f64 = 1e-3;
 
@@ -19,19 +22,23 @@ pub fn is_kink(machine: &mut LinearMachine, place: &Place) -> bool {
     (0..place.q.len()).any(|j| {
         let alike = place.q.iter().zip(&units).filter(|(_, unit)| **unit == units[j]).map(|(q, _)| q.abs());
         let step = BESIDE * alike.fold(LEAST, f64::max);
-        let mut at = |step: f64| {
-            let mut beside = Place { below: Vec::new(), ..place.clone() };
-            beside.q[j] += step;
-            machine.at(&beside).ok()
+        let mut apart = |step: f64| {
+            let mut at = |step: f64| {
+                let mut beside = Place { below: Vec::new(), ..place.clone() };
+                beside.q[j] += step;
+                machine.at(&beside).ok()
+            };
+            let (before, behind) = at(-step).zip(at(step))?;
+            Some([between(&before.stiffness, &behind.stiffness), between(&before.damping, &behind.damping)])
         };
-        let Some((before, behind)) = at(-step).zip(at(step)) else { return false };
-        differ(&before.stiffness, &behind.stiffness) || differ(&before.damping, &behind.damping)
+        let Some((far, near)) = apart(step).zip(apart(step / NEARER)) else { return false };
+        far.iter().zip(near).any(|([far, size], [near, _])| *far > APART * size && near > LEFT * far)
     })
 }
 
-fn differ(a: &[f64], b: &[f64]) -> bool {
-    let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    apart > APART * largest(a).max(largest(b))
+/// The largest difference of two matrices, and their largest entry.
+fn between(a: &[f64], b: &[f64]) -> [f64; 2] {
+    [a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max), largest(a).max(largest(b))]
 }
 
 /// What is to be said of such a place.

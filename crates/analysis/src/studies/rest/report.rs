@@ -50,6 +50,13 @@ struct Row {
     kink: bool,
 }
 
+impl Row {
+    /// A place of which nothing is decided.
+    fn of(place: Place, second: Option<f64>) -> Row {
+        Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false }
+    }
+}
+
 /// What is studied: the equations of rest, and those of motion, whose rates small motions need.
 #[derive(Clone, Copy)]
 pub struct Studied<'e> {
@@ -113,10 +120,7 @@ fn attempt(
             observed::complete(equations, (parameters, &place.q), &mut place.reactions);
             notes.extend(observed::left_open(equations, &place.reactions, observed::Left::Hidden));
             let second = second(equations, parameters, &place);
-            rows.insert(
-                0,
-                Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false },
-            );
+            rows.insert(0, Row::of(place, second));
             notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
@@ -135,8 +139,7 @@ fn attempt(
     if rows.iter().any(|r| r.free > 0) {
         notes.push(crate::studies::equilibrium::neutral());
     }
-    notes.extend(remark(rows.iter().filter_map(|r| r.degenerate.as_ref())));
-    notes.extend(rows.iter().any(|r| r.kink).then(kinks::remark));
+    notes.extend(not_linear(&rows));
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
@@ -174,7 +177,7 @@ fn at_limits(
         notes.extend(ranges);
         observed::complete(equations, (parameters, &place.q), &mut place.reactions);
         let second = second(equations, parameters, &place);
-        rows.push(Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false });
+        rows.push(Row::of(place, second));
     }
     let said = |(r, direction): &Impending, forward: &'static str, backward: &'static str| {
         format!("{} ({})", equations.reactions[*r].name, if *direction > 0.0 { forward } else { backward })
@@ -271,10 +274,16 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
     )
 }
 
+/// What is to be said of places whose small motions are not linear.
+fn not_linear(rows: &[Row]) -> Vec<Text> {
+    let degenerate = remark(rows.iter().filter_map(|r| r.degenerate.as_ref()));
+    degenerate.into_iter().chain(rows.iter().any(|r| r.kink).then(kinks::remark)).collect()
+}
+
 fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fault> {
     let equations = studied.rest;
     let second = second(equations, parameters, &place);
-    let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false };
+    let mut row = Row::of(place, second);
     // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
     let closed = with_closed(studied.motion, &row.place.closed);
@@ -404,7 +413,7 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
     }
     // loads that the second derivation has in a form without a mean leave nothing to compare
     let seconds: Vec<f64> = rows.iter().filter_map(|r| r.second).collect();
-    if !seconds.is_empty() && !(equations.second.is_empty() && !equations.force.is_empty()) {
+    if !seconds.is_empty() && (!equations.second.is_empty() || equations.force.is_empty()) {
         list.push(Audit::at_most("equilibrium_second", other, audits::worst(seconds), SECOND));
     }
     let mut data = Dataset { columns, notes, audits: list, ..Dataset::default() };

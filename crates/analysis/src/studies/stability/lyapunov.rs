@@ -203,13 +203,21 @@ pub fn lyapunov<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Opt
     found.exponents = (0..known).map_while(|k| rate(&stretches, k, (counts, end))).collect();
     // equal ones come in the order of their spread
     found.exponents.sort_by(|a, b| b.value.total_cmp(&a.value));
-    let (mut sum, mut time) = (0.0, 0.0);
-    for stretch in stretches.iter().filter(|s| !s.logs.is_empty()) {
-        sum += stretch.logs[0];
-        time += stretch.length;
-        found.history.push([stretch.end, sum / time]);
-    }
+    found.history = history(&stretches);
     Ok((found, frame.map_or(0, |frame| frame.states)))
+}
+
+/// Time and mean growth of the largest exponent up to it.
+fn history(stretches: &[Stretch]) -> Vec<[f64; 2]> {
+    let (mut sum, mut time) = (0.0, 0.0);
+    let known = stretches.iter().filter(|s| !s.logs.is_empty());
+    known
+        .map(|stretch| {
+            sum += stretch.logs[0];
+            time += stretch.length;
+            [stretch.end, sum / time]
+        })
+        .collect()
 }
 
 /// Directions that come back while exponents are counted.
