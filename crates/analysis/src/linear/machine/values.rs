@@ -34,14 +34,14 @@ impl LinearMachine {
         times.iter().map(|t| at(*t)).collect()
     }
 
-    /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
+    /// Values of further expressions of the graph of the linear equations at a place, with the parameters as they are now.
     ///
     /// *Errors*: one of them has no finite value.
     pub fn values_of(&self, list: &[Expr], place: &Place) -> Result<Vec<f64>, Fault> {
         self.values(&self.prepare(list)?, place)
     }
 
-    /// Expressions of [`Linear::graph`] as a tape, to be evaluated often.
+    /// Expressions of the graph of the linear equations as a tape, to be evaluated often.
     ///
     /// *Errors*: a symbol without a meaning here.
     pub fn prepare(&self, list: &[Expr]) -> Result<Values, Fault> {
