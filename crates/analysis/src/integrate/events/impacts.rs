@@ -25,6 +25,9 @@ const SILENT: f64 = 1e-12;
 /// Rounding of sliding speeds after an impact, in units of the last place of the rates.
 const STOPPED: f64 = 64.0 * f64::EPSILON;
 
+/// Rounding of an instant, in units of the last place of the time: some of those of a step and of the search for a zero in it.
+const AT_ONCE: f64 = 64.0 * f64::EPSILON;
+
 /// Rounding of a gap, in units of the last place of the positions.
 const MET: f64 = 8.0 * f64::EPSILON;
 
@@ -160,11 +163,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     /// Whether a gap is zero, or negative by no more than the rounding of the positions that meet in it, which a gap that has been small for a whole step no
-    /// longer shows.
+    /// longer shows. And whether it is positive by no more and will be zero within the rounding of the time: of what strikes at one instant by symmetry nothing is first.
     fn is_met(&self, i: usize) -> bool {
         let places = self.x[..self.system.n_coordinates()].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let below = |value: f64| value < 0.0 && -value <= MET * places;
-        self.is_on_surface(i) || self.system.guard(i).first().is_some_and(|value| below(*value))
+        let within = self.now.high.abs().max(self.natural) * AT_ONCE;
+        let near = |value: f64| value.abs() <= MET * places && (value < 0.0 || value <= -self.gap_rate(i) * within);
+        self.is_on_surface(i) || self.system.guard(i).first().is_some_and(|value| near(*value))
     }
 
     pub(super) fn is_contact(&self, i: usize) -> bool {
