@@ -12,6 +12,7 @@
 
 use words::Text;
 
+use super::worse;
 use crate::dataset::Audit;
 use crate::system::BlowWork;
 use crate::{Mode, System};
@@ -59,8 +60,8 @@ impl ImpactEnergy {
             self.energy = self.energy.max(before).max(after);
             let size = before.max(after).max(DYING * self.energy);
             // a slow blow on a fast surface: its rate is a difference of speeds, and rounded like these
-            let off = ((before - after - lost).abs() - work.rounding).max(0.0);
-            self.off = Some(self.off.unwrap_or(0.0).max(if size > 0.0 { off / size } else { 0.0 }));
+            let off = worse((before - after - lost).abs() - work.rounding, 0.0);
+            self.off = Some(worse(self.off.unwrap_or(0.0), if off == 0.0 { 0.0 } else { off / size }));
         }
         lost
     }
