@@ -16,6 +16,7 @@ use super::curve::{Curve, Of};
 use super::diagram::{Diagram, Options, followed};
 use super::locate::{Special, What};
 use super::orbits::{By, Orbits};
+use super::touching;
 use super::zeros::{Family, Place, Zeros};
 use crate::studies::periodic::{Periodic, Shooting};
 use crate::{Fault, System};
@@ -197,11 +198,13 @@ fn first(zeros: &mut dyn Zeros, special: &Special, v: &[f64], away: f64) -> Resu
 /// The direction of the branch on the other side of a switch that is touched, of unit length in scales; none where there is no motion.
 fn other_side(zeros: &mut dyn Zeros, special: &Special) -> Option<Vec<f64>> {
     let origin = &special.place;
-    let beyond = |away: f64| -> Vec<f64> { origin.y.iter().zip(&origin.tangent).map(|(y, t)| y + away * t).collect() };
-    AWAY.into_iter().find_map(|away| {
-        let y = beyond(away);
+    // a motion that has just ceased to strike may still strike ahead of the branch: beside the parameter it does not
+    let ways = touching::beside(origin);
+    let tries = ways.iter().flat_map(|way| AWAY.into_iter().flat_map(move |away| [(way, away), (way, -away)]));
+    tries.into_iter().find_map(|(way, away)| {
+        let y: Vec<f64> = origin.y.iter().zip(way).map(|(y, t)| y + away * t).collect();
         let local = zeros.local(&y).ok().filter(|local| local.facts.switches != origin.local.facts.switches)?;
-        corrector::on(local, y, &origin.tangent, zeros).map(|place| place.tangent)
+        corrector::on(local, y, way, zeros).map(|place| place.tangent)
     })
 }
 

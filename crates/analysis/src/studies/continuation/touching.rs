@@ -46,13 +46,17 @@ fn left(places: &[Place]) -> f64 {
     rates.map_or(0.0, |(u, v)| ((a.parameter() - before.parameter()) * (v.rate / (u.rate - v.rate)).min(1.0)).abs())
 }
 
+/// Directions in which motions beside a point are looked at: along the branch, and along the parameter alone. SI, of unit length in scales.
+pub(super) fn beside(a: &Place) -> [Vec<f64>; 2] {
+    let last = a.y.len() - 1;
+    [a.tangent.clone(), (0..=last).map(|i| if i == last { a.local.scales[i] } else { 0.0 }).collect()]
+}
+
 /// Whether motions right beside a place switch otherwise than that of a point: on which side they do does not follow from the branch.
 fn is_border(zeros: &mut dyn Zeros, a: &Place, at: &Place) -> bool {
-    let last = a.y.len() - 1;
-    let alone = |i: usize| if i == last { a.local.scales[i] } else { 0.0 };
-    let ways: [Vec<f64>; 2] = [a.tangent.clone(), (0..=last).map(alone).collect()];
-    let beside = BEYOND.iter().flat_map(|h| [*h, -h]).flat_map(|h| ways.iter().map(move |way| (h, way)));
-    let mut places = beside.map(|(h, way)| at.y.iter().zip(way).map(|(y, t)| y + h * t).collect::<Vec<f64>>());
+    let ways = beside(a);
+    let tries = BEYOND.iter().flat_map(|h| [*h, -h]).flat_map(|h| ways.iter().map(move |way| (h, way)));
+    let mut places = tries.map(|(h, way)| at.y.iter().zip(way).map(|(y, t)| y + h * t).collect::<Vec<f64>>());
     places.any(|y| is_other(zeros, a, &y))
 }
 
