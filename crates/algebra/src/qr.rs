@@ -34,9 +34,14 @@ pub const DEPENDENT: f64 = 1e-11;
 impl Qr {
     /// Factors a row-major m x n matrix. Columns are compared after scaling to unit length, so that units do not matter.
     pub fn new(matrix: &[f64], rows: usize, columns: usize) -> Qr {
+        Qr::own(matrix, rows, columns, DEPENDENT)
+    }
+
+    /// The same for columns that are known less exactly: what is left of one below a share of its own length is nothing.
+    pub fn own(matrix: &[f64], rows: usize, columns: usize, share: f64) -> Qr {
         let qr = Qr::loaded(matrix, rows, columns);
         let lengths: Vec<f64> = (0..columns).map(|j| norm(&qr.factors[j * rows..(j + 1) * rows])).collect();
-        qr.factored(&lengths, DEPENDENT)
+        qr.factored(&lengths, share)
     }
 
     /// The same for columns of like scale, compared with the largest of them.

@@ -45,6 +45,11 @@ impl Basis {
         }
         is_new
     }
+
+    /// The vectors, orthonormal.
+    pub fn into_vectors(self) -> Vec<Vec<f64>> {
+        self.0
+    }
 }
 
 #[cfg(test)]

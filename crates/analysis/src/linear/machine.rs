@@ -384,7 +384,7 @@ impl LinearMachine {
     /// changes h by ε of it.
     ///
     /// *Errors*: an entry has no finite value.
-    fn force_terms(&mut self, place: &Place) -> Result<Vec<f64>, Fault> {
+    pub fn force_terms(&mut self, place: &Place) -> Result<Vec<f64>, Fault> {
         let n = self.names.len();
         let place = Place { accelerations: vec![0.0; n], multipliers: Vec::new(), ..place.clone() };
         let Matrices { damping, stiffness, .. } = self.at(&place)?;

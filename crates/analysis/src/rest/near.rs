@@ -5,7 +5,7 @@ use symbolic::{Equations, SymbolId};
 use super::fine::Sought;
 use super::mean::Resting;
 use super::newton::{RESIDUAL, balance, solve, worst};
-use super::places::{draw, rest_rows, tangents_of};
+use super::places::{draw, is_noise, rest_rows, tangents_of};
 use super::search::no_equilibrium;
 use super::system::{Parts, RestSystem};
 use crate::Fault;
@@ -101,10 +101,17 @@ impl Near {
                 },
             }
         }
-        Ok(match self.system.fine(&z, Sought::Found)? {
-            Some([z, below]) => self.found(&z, &below),
-            None => self.found(&z, &[]),
-        })
+        let [mut z, mut below] = match self.system.fine(&z, Sought::Found)? {
+            Some([z, below]) => [z, below],
+            None => [z, Vec::new()],
+        };
+        let (rows, n) = (self.system.at(&z)?, self.system.n);
+        let sizes = self.system.sizes().at(&[&z[..n]]);
+        for c in (0..self.system.reactions.len()).filter(|c| is_noise(&rows, &z, &sizes, n + c)).collect::<Vec<_>>() {
+            z[n + c] = 0.0;
+            below.get_mut(n + c).into_iter().for_each(|low| *low = 0.0);
+        }
+        Ok(self.found(&z, &below))
     }
 
     /// Newton's method along the surface of the connections, from a guess near a place of rest.

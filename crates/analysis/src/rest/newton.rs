@@ -46,9 +46,10 @@ pub(super) type Choice<'c> = &'c dyn Fn(&Rows, &[f64]) -> Vec<Row>;
 pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], choose: Choice) -> Result<Option<Vec<Row>>, Fault> {
     let n = system.n;
     let mut rows = choose(&system.at(z)?, z);
+    let scales = scales(system, &rows, z);
     let (mut reach, mut cut) = (LONGEST, 0);
     for _ in 0..STEPS {
-        let (step, weights) = full_step(&rows, free);
+        let (step, weights) = full_step(&rows, free, &scales);
         let length = |rows: &[Row]| norm(&rows.iter().zip(&weights).map(|(r, w)| r.value * w).collect::<Vec<_>>());
         let before = length(&rows);
         if before == 0.0 || free.is_empty() {
@@ -81,34 +82,59 @@ pub(super) fn solve(system: &mut RestSystem, z: &mut Vec<f64>, free: &[usize], c
             break;
         }
     }
+    // the rounding of a rounding, where zero is meant
+    for j in free {
+        if z[*j].abs() <= f64::EPSILON * f64::EPSILON * scales[*j] {
+            z[*j] = 0.0;
+        }
+    }
     rows = choose(&system.at(z)?, z);
-    Ok((worst(&rows, z) <= SOLVED && stands(&rows, z, free, n)).then_some(rows))
+    let (step, _) = full_step(&rows, free, &scales);
+    Ok((worst(&rows, z) <= SOLVED && stands(&rows, z, free.iter().zip(&step).filter(|(j, _)| **j >= n))).then_some(rows))
 }
 
 /// Share of the largest force by which a further step may change the reactions.
 const STANDS: f64 = 1e-2;
 
-/// Whether the reactions have come to stand. In a dead position of a linkage c ~ u v with u λ finite: every place near it solves the equations to any limit as
-/// u, v → 0 and λ → ∞, and Newton's method goes on doubling λ there.
-fn stands(rows: &[Row], z: &[f64], free: &[usize], n: usize) -> bool {
+/// Whether the reactions have come to stand: what a further step makes of them. In a dead position of a linkage c ~ u v with u λ finite: every place near it
+/// solves the equations to any limit as u, v → 0 and λ → ∞, and Newton's method goes on doubling λ there.
+fn stands<'s>(rows: &[Row], z: &[f64], reactions: impl Iterator<Item = (&'s usize, &'s f64)>) -> bool {
     let largest = rows.iter().filter(|r| r.is_force).fold(0.0_f64, |m, r| m.max(size(r, z)));
-    let (step, _) = full_step(rows, free);
-    let reactions = || free.iter().zip(&step).filter(|(j, _)| **j >= n);
-    rows.iter().filter(|r| r.is_force).all(|r| reactions().all(|(j, s)| (r.slopes[*j] * s).abs() <= STANDS * largest))
+    let mut forces = reactions.flat_map(|(j, s)| rows.iter().filter(|r| r.is_force).map(move |r| (r.slopes[*j] * s).abs()));
+    forces.all(|force| force <= STANDS * largest)
+}
+
+/// With what each component of z compares: coordinates with their sizes, a reaction with that of the loads which it bears, an unknown parameter with its own
+/// number. Steps are then the same in all units: the pull of milligrams counts beside the lengths of rods.
+fn scales(system: &RestSystem, rows: &[Row], z: &[f64]) -> Vec<f64> {
+    let (n, k) = (system.n, system.reactions.len());
+    let mut scales = system.sizes().at(&[&z[..n]]);
+    let load = |row: &Row| row.terms + row.slopes.iter().zip(&z[..n]).map(|(s, q)| (s * q).abs()).sum::<f64>();
+    let forces: Vec<(&Row, f64)> = rows.iter().filter(|r| r.is_force).map(|r| (r, load(r))).collect();
+    let borne = |j: usize| {
+        let [shares, squares] =
+            forces.iter().fold([0.0, 0.0], |[a, b], (r, load)| [a + r.slopes[j].abs() * load, b + r.slopes[j] * r.slopes[j]]);
+        if squares > 0.0 { shares / squares } else { 0.0 }
+    };
+    scales.extend((n..n + k).map(borne));
+    scales.extend(z[n + k..].iter().map(|u| u.abs()));
+    scales.iter_mut().filter(|s| !(s.is_finite() && **s > 0.0)).for_each(|s| *s = 1.0);
+    scales
 }
 
 /// Newton's step of least squares in weighted rows, and the weights.
-fn full_step(rows: &[Row], free: &[usize]) -> (Vec<f64>, Vec<f64>) {
-    let weights: Vec<f64> = rows.iter().map(|r| weight(r, free)).collect();
+fn full_step(rows: &[Row], free: &[usize], scales: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let weights: Vec<f64> = rows.iter().map(|r| weight(r, free, scales)).collect();
     let (m, k) = (rows.len(), free.len());
-    let matrix: Vec<f64> = (0..m * k).map(|p| rows[p / k].slopes[free[p % k]] * weights[p / k]).collect();
+    let matrix: Vec<f64> = (0..m * k).map(|p| rows[p / k].slopes[free[p % k]] * scales[free[p % k]] * weights[p / k]).collect();
     let right: Vec<f64> = (0..m).map(|i| -rows[i].value * weights[i]).collect();
-    let step = if k == 0 { Vec::new() } else { Qr::new(&matrix, m, k).least_squares(&right).0 };
+    let mut step = if k == 0 { Vec::new() } else { Qr::new(&matrix, m, k).least_squares(&right).0 };
+    step.iter_mut().zip(free).for_each(|(s, j)| *s *= scales[*j]);
     (step, weights)
 }
 
-fn weight(row: &Row, free: &[usize]) -> f64 {
-    let scale = free.iter().fold(0.0_f64, |m, j| m.max(row.slopes[*j].abs()));
+fn weight(row: &Row, free: &[usize], scales: &[f64]) -> f64 {
+    let scale = free.iter().fold(0.0_f64, |m, j| m.max((row.slopes[*j] * scales[*j]).abs()));
     if scale > 0.0 { 1.0 / scale } else { 1.0 }
 }
 

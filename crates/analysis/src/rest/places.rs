@@ -424,7 +424,7 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
 }
 
 /// Whether a reaction is what rounding of the other forces leaves: beside what they change by with the coordinates, wherever it acts.
-fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
+pub(super) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
     let n = sizes.len();
     let others = |r: &Row| r.slopes[..n].iter().zip(sizes).map(|(s, size)| s.abs() * size).sum::<f64>();
     rows.forces.iter().filter(|r| r.slopes[column] != 0.0).all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * others(r))

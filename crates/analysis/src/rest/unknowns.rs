@@ -67,10 +67,11 @@ pub fn unknowns(equations: &Equations, parameters: &[usize], impending: &[Impend
     newton::balance(&mut system, &mut z)?;
     let kept = kept(equations, &mut system, &z)?;
     let given: Vec<bool> = equations.coordinates.iter().map(|c| c.given[0]).collect();
-    let places: Vec<(usize, Option<f64>)> = kept.iter().map(|j| (*j, (!given[*j]).then_some(q[*j]))).collect();
+    let start_of = |j: usize| if given[j] { None } else { Some(q[j]) };
+    let starts = Starts { all: (0..q.len()).map(start_of).collect(), kept, on_rates: system.rate_only.clone() };
     let limits = limit_rows(&system, impending);
     let first = system.n + system.reactions.len();
-    let mut search = Search { equations, system, start: z, places, impending };
+    let mut search = Search { equations, system, start: z, starts, impending };
     let own = match search.with(&limits)? {
         Tried::Holds(z) => return Ok(Found { values: z[first..].to_vec(), notes: Vec::new() }),
         other => other,
@@ -111,21 +112,65 @@ enum Tried {
     Unbalanced(Fault),
 }
 
+/// Where the machine stands.
+struct Starts {
+    /// Numbers of the coordinates that are not given; those of the others follow from the unknowns.
+    all: Vec<Option<f64>>,
+    /// Coordinates that stand there.
+    kept: Vec<usize>,
+    /// Which places are those of conditions on rates.
+    on_rates: Vec<bool>,
+}
+
+impl Starts {
+    /// Start of a coordinate as a row over the unknowns.
+    fn row(&self, rows: &Rows, j: usize) -> Row {
+        match self.all[j] {
+            Some(value) => Row { value, slopes: vec![0.0; rows.starts[j].slopes.len()], terms: 1.0, is_force: false },
+            None => rows.starts[j].clone(),
+        }
+    }
+
+    /// q_j - start_j(u)
+    fn away(&self, rows: &Rows, z: &[f64], j: usize) -> Row {
+        let mut row = self.row(rows, j);
+        row.terms = row.terms.max(1.0);
+        row.value = z[j] - row.value;
+        row.slopes.iter_mut().for_each(|s| *s = -*s);
+        row.slopes[j] += 1.0;
+        row
+    }
+
+    /// Conditions on rates hold from the start on, wherever the unknowns move it: J (q - start(u)) = 0, which ends at q = start(u) where all coordinates stand.
+    fn place(&self, rows: &Rows, z: &[f64], c: usize) -> Row {
+        let own = &rows.places[c];
+        if !self.on_rates[c] {
+            return own.clone();
+        }
+        let mut row = Row { value: 0.0, slopes: vec![0.0; z.len()], ..own.clone() };
+        for j in (0..self.all.len()).filter(|j| own.slopes[*j] != 0.0) {
+            let away = self.away(rows, z, j);
+            row.value += own.slopes[j] * away.value;
+            row.slopes.iter_mut().zip(&away.slopes).for_each(|(s, a)| *s += own.slopes[j] * a);
+        }
+        row
+    }
+}
+
 struct Search<'s> {
     equations: &'s Equations,
     system: RestSystem,
     /// z of the guess.
     start: Vec<f64>,
-    /// Coordinates that stand, with their places.
-    places: Vec<(usize, Option<f64>)>,
+    starts: Starts,
     impending: &'s [Impending],
 }
 
 impl Search<'_> {
     /// *Errors*: S036, S094 an unknown that stays open; formulas outside their domain.
     fn with(&mut self, limits: &[Limited]) -> Result<Tried, Fault> {
-        let (places, system) = (&self.places, &mut self.system);
-        let choose = |rows: &Rows, z: &[f64]| chosen(rows, z, places, limits);
+        let (starts, system) = (&self.starts, &mut self.system);
+        let choose = |rows: &Rows, z: &[f64]| chosen(rows, z, starts, limits);
         let free: Vec<usize> = (0..system.width()).collect();
         let mut z = self.start.clone();
         let solved = newton::solve(system, &mut z, &free, &choose);
@@ -134,7 +179,7 @@ impl Search<'_> {
         determined(self.equations, system, &rows, self.impending)?;
         if solved?.is_none() && worst(&rows, &z) > UNBALANCED {
             // what stays may stay in the limits alone
-            let without = chosen(&all, &z, places, &[]);
+            let without = chosen(&all, &z, starts, &[]);
             let by_limits = !limits.is_empty() && worst(&without, &z) <= UNBALANCED;
             return Ok(if by_limits { Tried::Slips } else { Tried::Unbalanced(left_over(self.equations, &all, &z)) });
         }
@@ -236,20 +281,11 @@ pub(super) fn limit_rows(system: &RestSystem, impending: &[Impending]) -> Vec<Li
     impending.iter().filter_map(place).collect()
 }
 
-fn chosen(rows: &Rows, z: &[f64], places: &[(usize, Option<f64>)], limits: &[Limited]) -> Vec<Row> {
-    let mut all: Vec<Row> = rows.forces.iter().chain(&rows.places).chain(&rows.balances).cloned().collect();
-    for (j, value) in places {
-        // q_j - start_j(u)
-        let mut row = match value {
-            Some(value) => Row { value: *value, slopes: vec![0.0; z.len()], terms: 1.0, is_force: false },
-            None => rows.starts[*j].clone(),
-        };
-        row.terms = row.terms.max(1.0);
-        row.value = z[*j] - row.value;
-        row.slopes.iter_mut().for_each(|s| *s = -*s);
-        row.slopes[*j] += 1.0;
-        all.push(row);
-    }
+fn chosen(rows: &Rows, z: &[f64], starts: &Starts, limits: &[Limited]) -> Vec<Row> {
+    let mut all = rows.forces.clone();
+    all.extend((0..rows.places.len()).map(|c| starts.place(rows, z, c)));
+    all.extend(rows.balances.iter().cloned());
+    all.extend(starts.kept.iter().map(|j| starts.away(rows, z, *j)));
     all.extend(limits.iter().map(|limit| limit.row(rows, z)));
     all
 }

@@ -248,6 +248,8 @@ pub struct Running {
     pub mean: f64,
     /// Duration, s.
     pub duration: f64,
+    /// Rate with which it begins, rad/s, where contacts that are struck at the start make it another one than that of the start.
+    pub struck: Option<f64>,
 }
 
 /// The running of the machine's own motion over one cycle of its angle from the state `start`.
@@ -266,7 +268,10 @@ pub fn running<S: System>(system: &mut S, start: &[f64], options: &Cycle) -> Res
     }
     let found = extremes.found();
     let (least, greatest) = found.first().map_or((f64::NAN, f64::NAN), |e| (e.min, e.max));
-    Ok(Running { greatest, least, mean: options.range / duration, duration })
+    let begins = steps.first().map_or(f64::NAN, |(step, _)| step.start_value(rate));
+    // as the motion leads it, the start is as given but for rounding
+    let struck = Some(begins).filter(|begins| (begins - start[rate]).abs() > ROUNDING * start[rate].abs());
+    Ok(Running { greatest, least, mean: options.range / duration, duration, struck })
 }
 
 /// The machine at the end of the cycle is the one at its start.

@@ -2,7 +2,8 @@
 //!
 //! The textbook form sees most zeros; some it cannot see, cos(asin z)² + z² - 1 and the like. Such an expression is an analytic function, and an analytic
 //! function that vanishes at random points for random parameters vanishes everywhere. At each point its value is compared with the size of the terms
-//! that meet in it.
+//! that meet in it. A point at which numbers no longer show what the expression depends on tells nothing: far from its step tanh is 1 to all digits,
+//! and 1 - tanh² is a zero of the numbers alone. Where every point is such a one, the expression is not taken for zero.
 
 use super::{Scene, Vector};
 use crate::model::{ParameterDecl, ParameterValue};
@@ -18,6 +19,8 @@ const POINTS: usize = 5;
 const TRIALS: u64 = 40;
 /// Rounding, relative to the terms that meet.
 const ROUNDING: f64 = 1e-10;
+/// Share of its argument by which a function is tried: it must answer by more than rounding.
+const NUDGE: f64 = 1e-3;
 
 impl Scene<'_> {
     /// Whether an expression is zero for all states, times and parameters.
@@ -32,14 +35,14 @@ impl Scene<'_> {
         let mut seen = 0;
         for trial in 0..TRIALS {
             let point = self.random_point(trial);
-            let (value, size) = with_size(&self.graph, e, &point);
-            if !value.is_finite() || !size.is_finite() || size == 0.0 {
+            let at = self.sight(&[e], &point)[0];
+            if !at.value.is_finite() || !at.size.is_finite() || at.size == 0.0 {
                 continue;
             }
-            if value.abs() > ROUNDING * size {
+            if at.value.abs() > ROUNDING * at.size {
                 return false;
             }
-            seen += 1;
+            seen += usize::from(!at.blind);
             if seen == POINTS {
                 return true;
             }
@@ -59,10 +62,11 @@ impl Scene<'_> {
                 break;
             }
             let point = self.random_point(trial);
-            let values = self.graph.evaluate(&components, &|s| point.get(&s).copied().unwrap_or(f64::NAN));
+            let found = self.sight(&components, &point);
+            let values: Vec<f64> = found.iter().map(|at| at.value).collect();
             if values.iter().all(|v| v.is_finite()) {
                 most = most.max(span(&values));
-                seen += 1;
+                seen += usize::from(found.iter().all(|at| !at.blind));
             }
         }
         most
@@ -137,23 +141,58 @@ fn is_analytic(graph: &Graph, roots: &[Expr]) -> bool {
     })
 }
 
-/// The value, and the sum of the magnitudes of what it is the sum of.
-fn with_size(graph: &Graph, root: Expr, point: &FxHashMap<SymbolId, f64>) -> (f64, f64) {
-    let mut known: FxHashMap<Expr, (f64, f64)> = FxHashMap::default();
-    for e in graph.reachable(&[root]) {
-        let value = graph.evaluate_node(e, &|s| point.get(&s).copied().unwrap_or(f64::NAN), &|c| known[&c].0);
-        let size = match graph.node(e) {
-            Node::Sum { constant, terms } => terms.iter().fold(constant.to_f64().abs(), |sum, (t, f)| sum + f.to_f64().abs() * known[t].1),
-            Node::Product { coefficient, factors } => factors.iter().fold(coefficient.to_f64().abs(), |p, (b, x)| {
-                let (value, size) = known[b];
-                // a denominator is as small as it is; what is added up in it does not make the quotient larger
-                p * if x.to_f64() > 0.0 { elementary::pow(size, x.to_f64()) } else { elementary::pow(value.abs(), x.to_f64()) }
-            }),
-            _ => value.abs(),
-        };
-        known.insert(e, (value, size));
+/// What the numbers of one point show of an expression.
+#[derive(Clone, Copy)]
+struct Sight {
+    value: f64,
+    /// Sum of the magnitudes of what it is the sum of.
+    size: f64,
+    /// Whether it changes with the state or with time.
+    varies: bool,
+    /// Whether something that changes is lost in the rounding of what it is added to, or of the function of which it is the argument.
+    blind: bool,
+}
+
+impl Scene<'_> {
+    /// What the numbers of a point show of some expressions.
+    fn sight(&self, roots: &[Expr], point: &FxHashMap<SymbolId, f64>) -> Vec<Sight> {
+        let graph = &self.graph;
+        let fixed = |s: SymbolId| self.model.parameters.iter().any(|p| p.symbol == s);
+        let mut known: FxHashMap<Expr, Sight> = FxHashMap::default();
+        for e in graph.reachable(roots) {
+            let at = |nudge: f64| graph.evaluate_node(e, &|s| point.get(&s).copied().unwrap_or(f64::NAN), &|c| nudge * known[&c].value);
+            let value = at(1.0);
+            let below = graph.children(e);
+            let varies = match graph.node(e) {
+                Node::Symbol(s) => !fixed(*s),
+                _ => below.iter().any(|c| known[c].varies),
+            };
+            let mut size = value.abs();
+            let mut blind = below.iter().any(|c| known[c].blind);
+            match graph.node(e) {
+                Node::Sum { constant, terms } => {
+                    let sizes = || terms.iter().map(|(t, f)| (known[t], f.to_f64().abs() * known[t].size));
+                    size = sizes().fold(constant.to_f64().abs(), |sum, (_, size)| sum + size);
+                    blind |= sizes().any(|(term, part)| term.varies && part < ROUNDING * size);
+                }
+                Node::Product { coefficient, factors } => {
+                    size = factors.iter().fold(coefficient.to_f64().abs(), |p, (b, x)| {
+                        // a denominator is as small as it is; what is added up in it does not make the quotient larger
+                        p * if x.to_f64() > 0.0 {
+                            elementary::pow(known[b].size, x.to_f64())
+                        } else {
+                            elementary::pow(known[b].value.abs(), x.to_f64())
+                        }
+                    });
+                }
+                // two arguments that are nudged together may leave the value as it was
+                Node::Call { .. } => blind |= below.len() == 1 && varies && (at(1.0 + NUDGE) - value).abs() < ROUNDING * size,
+                _ => {}
+            }
+            known.insert(e, Sight { value, size, varies, blind });
+        }
+        roots.iter().map(|e| known[e]).collect()
     }
-    known[&root]
 }
 
 /// Rank of vectors of three components, one after another.

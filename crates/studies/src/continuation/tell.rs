@@ -44,6 +44,7 @@ pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diag
     for (k, curve) in diagram.curves.iter().enumerate() {
         results.words.push(about(machine, study, (k, diagram.curves.len()), curve));
         results.words.extend(by_collocation(machine, study, curve));
+        results.words.extend(curve.is_neutral().then(|| alike_all_round(k + 1)));
     }
     if diagram.special.is_empty() {
         results.words.push(Text::new("Nothing happens on it: no fold, no branch point.", "Особых точек нет: ни поворотов, ни ветвлений."));
@@ -79,6 +80,17 @@ pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diag
     creases::tell(machine, study, diagram, results);
     spine.iter().for_each(|spine| spine.tell((&parameter(machine, study), &coordinates(machine)), results));
     results.body = Body::After(Arc::new(Shown::new(machine, study, (diagram, spine))));
+}
+
+fn alike_all_round(branch: usize) -> Text {
+    Text::new(
+        format!(
+            "Branch {branch}: all along it a place, or a motion, can be moved in some direction without any change, as in a machine that is alike all round. One of each family is followed, and branches that part from it are not looked for."
+        ),
+        format!(
+            "Ветвь {branch}: на всём её протяжении положение или движение можно сместить в некотором направлении без всякого изменения, как в машине, одинаковой во все стороны. Прослежено одно движение из каждого семейства; отходящие от него ветви не разыскиваются."
+        ),
+    )
 }
 
 /// The parameter as a column has it.

@@ -62,7 +62,7 @@ pub(super) fn running(results: &mut Results, machine: &mut Machine, study: &Cycl
         // told where the motion itself is computed
         Err(_) => {}
     }
-    let Running { greatest: high, least: low, mean, .. } = match turned(machine, study) {
+    let Running { greatest: high, least: low, mean, struck, .. } = match turned(machine, study) {
         Err(trouble) if trouble.code == "S046" => {
             results.words.push(Text::new(
                 "The motion from the start does not turn through the cycle: nothing is said of its irregularity.",
@@ -72,6 +72,13 @@ pub(super) fn running(results: &mut Results, machine: &mut Machine, study: &Cycl
         }
         found => found?,
     };
+    if let Some(begins) = struck {
+        let rate = words::digits::rounded(begins);
+        results.words.push(Text::new(
+            format!("A contact is struck at the start: this motion begins with ω = {} rad/s.", rate.en),
+            format!("В начале происходит удар в контакте: это движение начинается с ω = {} рад/с.", rate.ru),
+        ));
+    }
     // of a shaft that turns backwards the largest rate is that of the largest speed
     let (high, low) = if mean < 0.0 { (low, high) } else { (high, low) };
     let by_max = (high - low) / high;

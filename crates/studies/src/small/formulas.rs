@@ -55,12 +55,17 @@ fn placed(
     let shaped = linear.shaped.iter().flat_map(|(_, factors)| factors);
     let loads = linear.loads.iter().flat_map(|l| l.cos.iter().chain(&l.sin)).chain(shaped);
     let entries = linear.mass.entries().iter().chain(linear.damping.entries()).chain(linear.stiffness.entries()).chain(loads);
-    for e in entries {
-        if linear.graph.contains(*e, coordinate) {
-            return None;
-        }
-    }
-    Some(linear)
+    let entries: Vec<Expr> = entries.copied().collect();
+    let open = entries.iter().any(|e| linear.graph.contains(*e, coordinate)) || divides_by_zero(&linear.graph, &entries);
+    (!open).then_some(linear)
+}
+
+/// Whether a zero stands in a denominator: a length that vanishes in the exact place, of which the numbers beside it show the limit.
+fn divides_by_zero(graph: &Graph, entries: &[Expr]) -> bool {
+    graph.reachable(entries).into_iter().any(|e| match graph.node(e) {
+        Node::Product { factors, .. } => factors.iter().any(|(base, exponent)| exponent.to_f64() < 0.0 && graph.is_zero(*base)),
+        _ => false,
+    })
 }
 
 /// The equations, when they are short enough.

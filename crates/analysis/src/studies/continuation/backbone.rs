@@ -248,7 +248,7 @@ impl Zeros for Free<'_, '_> {
             ..Facts::default()
         };
         let phase = Some((phase, y[..n].to_vec()));
-        let mut local = Local { scales, jacobian, residual: Vec::new(), basis, states: varied.states, phase, facts };
+        let mut local = Local { scales, jacobian, rows: Vec::new(), residual: Vec::new(), basis, states: varied.states, phase, facts };
         local.residual = missed(&turned, y, &local);
         Ok(local)
     }

@@ -7,9 +7,9 @@
 //!
 //! *Source*: C. G. Broyden, Mathematics of Computation 19 (1965) 577-593.
 
+use super::neutral::Even;
 use super::zeros::{Local, Place, Signs, Zeros};
 use crate::Fault;
-use algebra::lu::Lu;
 use algebra::vectors::norm;
 
 /// Behind a step below this, in scales, is a point: steps fall by some three digits each, and the point is held against Newton's own correction afterwards.
@@ -61,7 +61,7 @@ pub(super) fn correct(zeros: &mut dyn Zeros, near: &Local, guess: &[f64], plane:
         matrix.extend(&row);
         let off: Vec<f64> = y.iter().zip(plane.through).map(|(a, b)| a - b).collect();
         let right: Vec<f64> = residual.iter().map(|r| -r).chain([-inner(plane.normal, &off)]).collect();
-        let Some(change) = Lu::exact(&matrix, k).and_then(|lu| lu.solve(&right)) else { return Ok(None) };
+        let Some(change) = Even::new(&matrix, near, zeros.sort()).solve(&right) else { return Ok(None) };
         let size = norm(&change);
         if !size.is_finite() || size > AWAY * last {
             return Ok((last <= ROUGH).then_some(Corrected { y, steps }));
@@ -111,11 +111,10 @@ pub(super) fn reached(zeros: &mut dyn Zeros, guess: Vec<f64>, direction: &[f64])
 pub(super) fn place(zeros: &mut dyn Zeros, mut y: Vec<f64>, direction: &[f64]) -> Result<Option<Place>, Fault> {
     let mut local = zeros.local(&y)?;
     for polish in 0..=POLISHED {
-        let k = local.basis.len();
         let mut matrix = local.jacobian.clone();
         matrix.extend(local.basis.iter().map(|c| direction.iter().zip(c).zip(&local.scales).map(|((d, c), s)| d / s * c).sum::<f64>()));
         let right: Vec<f64> = local.residual.iter().map(|r| -r).chain([0.0]).collect();
-        let Some(change) = Lu::exact(&matrix, k).and_then(|lu| lu.solve(&right)) else { break };
+        let Some(change) = Even::new(&matrix, &local, zeros.sort()).solve(&right) else { break };
         let size = norm(&change);
         local.facts.miss = size;
         // a guess is no point yet, and what cannot be corrected stays what it is: between two pieces of the equations corrections lead to and fro
@@ -136,8 +135,7 @@ pub(super) fn on(local: Local, y: Vec<f64>, direction: &[f64], zeros: &dyn Zeros
     let mut matrix = local.jacobian.clone();
     matrix.extend(&along);
     let unit: Vec<f64> = (0..k).map(|i| if i + 1 == k { 1.0 } else { 0.0 }).collect();
-    let lu = Lu::exact(&matrix, k)?;
-    let c = lu.solve(&unit)?;
+    let c = Even::new(&matrix, &local, zeros.sort()).solve(&unit)?;
     let mut tangent = vec![0.0; y.len()];
     for (c, column) in c.iter().zip(&local.basis) {
         tangent.iter_mut().zip(column).zip(&local.scales).for_each(|((t, b), s)| *t += c * b * s);

@@ -3,6 +3,7 @@
 use super::corrector::{self, Plane, settle};
 use super::ground::passes_the_start;
 use super::locate::{self, Located, Special, What, flagged, located};
+use super::neutral;
 use super::signs;
 use super::touching;
 use super::zeros::{Local, Place, Sort, Zeros};
@@ -99,6 +100,11 @@ impl Curve {
     pub(super) fn grazes_at(&self, place: usize) -> bool {
         let [begin, end] = &self.ends;
         *begin == Some(End::Grazes) && place <= 1 || *end == Some(End::Grazes) && place + 1 >= self.places.len()
+    }
+
+    /// Whether its motions can be turned or moved over all along it without a change.
+    pub fn is_neutral(&self) -> bool {
+        neutral::all_along(&self.places)
     }
 
     /// The same from its end to its beginning.

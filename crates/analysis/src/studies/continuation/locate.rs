@@ -130,7 +130,8 @@ pub(super) fn flagged(a: &Place, b: &Place) -> Vec<Test> {
     let (s, t) = (&a.signs, &b.signs);
     let mut list = Vec::new();
     // determinants in other coordinates cannot be compared
-    let branch = a.local.states == b.local.states && changes(s.branch, t.branch);
+    let regular = s.neutral == 0 && t.neutral == 0;
+    let branch = regular && a.local.states == b.local.states && changes(s.branch, t.branch);
     if branch {
         list.push(Test::Branch);
     }

@@ -242,7 +242,9 @@ impl Zeros for Orbits<'_, '_> {
             liouville: varied.liouville,
             ..Facts::default()
         };
-        let mut local = Local { scales, jacobian: Vec::new(), residual: Vec::new(), basis, states: varied.states.clone(), phase, facts };
+        let rows = vec![1.0; varied.states.len()];
+        let mut local =
+            Local { scales, jacobian: Vec::new(), rows, residual: Vec::new(), basis, states: varied.states.clone(), phase, facts };
         let here = missed(&turned, y, &local);
         let by_parameter = self.slope(y, &here, &local)?;
         local.jacobian = jacobian(&varied, &local, &by_parameter);

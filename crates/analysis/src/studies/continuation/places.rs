@@ -35,6 +35,8 @@ pub(super) struct Rests<'f> {
     sizes: Vec<f64>,
     /// States that are functions of time alone and that nothing feels: the angle of a frame that turns at a given speed.
     clocks: Vec<usize>,
+    /// The largest that each rate has changed by over the sizes, SI.
+    felt: Vec<f64>,
     range: f64,
     evaluations: usize,
 }
@@ -73,8 +75,20 @@ impl<'f> Rests<'f> {
         }
         let clocks = clocks(n, x.len(), &rows)?;
         let size = |(i, x): (usize, &f64)| if machine.states()[i].unit == "rad" { 1.0 } else { x.abs().max(SMALL) };
-        let sizes = x.iter().enumerate().map(size).collect();
-        Ok(Rests { family, sizes, clocks, range, evaluations: 0 })
+        let sizes: Vec<f64> = x.iter().enumerate().map(size).collect();
+        let mut felt = vec![0.0; x.len()];
+        // a place beside the start, too: at the start of a family of places rows may vanish
+        let mut random = algebra::random::Random::new(1);
+        let beside: Vec<f64> = x
+            .iter()
+            .zip(&sizes)
+            .enumerate()
+            .map(|(i, (x, size))| if (n..2 * n).contains(&i) { *x } else { x + ASIDE * size * random.between(-1.0, 1.0) })
+            .collect();
+        if machine.slopes(0.0, &beside, &modes, &mut rows).is_ok() {
+            feel(&mut felt, &rows, &sizes);
+        }
+        Ok(Rests { family, sizes, clocks, felt, range, evaluations: 0 })
     }
 
     /// Unknowns at a state.
@@ -135,6 +149,17 @@ impl<'f> Rests<'f> {
             }
         }
         Ok(false)
+    }
+}
+
+/// How far that place lies from the start, in sizes.
+const ASIDE: f64 = 0.1;
+
+/// Takes what each rate changes by over the sizes of the states, where it is more than before.
+fn feel(felt: &mut [f64], rows: &[f64], sizes: &[f64]) {
+    for (felt, row) in felt.iter_mut().zip(rows.chunks(sizes.len() + 1)) {
+        let most = row.iter().zip(sizes).fold(0.0_f64, |m, (v, size)| m.max((v * size).abs()));
+        *felt = if most.is_finite() { felt.max(most) } else { *felt };
     }
 }
 
@@ -250,6 +275,7 @@ impl Zeros for Rests<'_> {
             return Err(nowhere());
         }
         let small = Small::at(machine, x, (&scales, &self.clocks))?;
+        feel(&mut self.felt, &small.rows, &scales);
         let multipliers = roots(small.free.len(), &small.matrix(&scales))?;
         let facts = Facts {
             extremes: x[..n].iter().map(|q| [*q, *q]).collect(),
@@ -275,8 +301,9 @@ impl Zeros for Rests<'_> {
                 jacobian[r * columns + c] = small.entry(if i < n { n + i } else { i }, k) * scales[j] / scales[i];
             }
         }
+        let rows = states.iter().map(|&i| self.felt[if i < n { n + i } else { i }] / scales[i]).collect();
         let scales = scales.into_iter().chain([self.range]).collect();
-        let mut local = Local { scales, jacobian, residual: Vec::new(), basis, states, phase: None, facts };
+        let mut local = Local { scales, jacobian, rows, residual: Vec::new(), basis, states, phase: None, facts };
         let here = self.residual(y, &local)?;
         let mut beside = y.to_vec();
         beside[last] += STEP * self.range;

@@ -3,7 +3,7 @@
 //! ```text
 //! fold                 dp/ds
 //! branch point         det | J  |      t tangent: the rank of J falls
-//!                          | t' |
+//!                          | t' |     (rounding all along a branch with a neutral direction, and no test there)
 //! period doubling      Π (μ_i + 1)
 //! torus                Π_(i<j) (μ_i μ_j - 1)          of a pair that leaves the unit circle, not of two real multipliers
 //! Hopf point           Π_(i<j) (λ_i + λ_j)            the same of roots
@@ -11,6 +11,7 @@
 //!
 //! *Source*: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, 10.
 
+use super::neutral::Even;
 use super::zeros::{Place, Signs, Sort};
 use crate::studies::periodic::Multiplier;
 use algebra::complex::{self, Complex};
@@ -19,9 +20,7 @@ use algebra::lu::Lu;
 /// The test functions at a point.
 pub(super) fn at(place: &Place, sort: Sort) -> Signs {
     let k = place.local.basis.len();
-    let column = |c: &Vec<f64>| place.tangent.iter().zip(c).zip(&place.local.scales).map(|((t, c), s)| t / s * c).sum::<f64>();
-    let mut matrix = place.local.jacobian.clone();
-    matrix.extend(place.local.basis.iter().map(column));
+    let matrix = place.bordered();
     let last = place.y.len() - 1;
     let m = k - 1;
     let square: Vec<f64> = (0..m * m).map(|e| place.local.jacobian[e / m * k + e % m]).collect();
@@ -30,6 +29,7 @@ pub(super) fn at(place: &Place, sort: Sort) -> Signs {
     Signs {
         fold: place.tangent[last] / place.local.scales[last],
         branch: Lu::exact(&matrix, k).map_or(0.0, |lu| lu.determinant()),
+        neutral: Even::new(&matrix, &place.local, sort).count(),
         square: Lu::exact(&square, m).map_or(0.0, |lu| lu.determinant()),
         doubling: numbers.filter(|_| sort == Sort::Multipliers).map(doubling),
         pair: pair.map(|pair| pair.0),

@@ -15,11 +15,13 @@ use super::crease;
 use super::curve::{Curve, Of};
 use super::diagram::{Diagram, Options, followed};
 use super::locate::{Special, What};
+use super::neutral::Even;
 use super::orbits::{By, Orbits};
 use super::touching;
-use super::zeros::{Family, Place, Zeros};
+use super::zeros::{Family, Place, Sort, Zeros};
 use crate::studies::periodic::{Periodic, Shooting};
 use crate::{Fault, System};
+use algebra::complex::Complex;
 use algebra::eigen::general;
 use algebra::lu::Lu;
 use algebra::vectors::norm;
@@ -28,12 +30,16 @@ use words::{Message, Text};
 
 /// How far from a special point the first point of a new branch is sought, in scales.
 const AWAY: [f64; 5] = [1e-2, 3e-3, 3e-2, 1e-3, 1e-4];
+/// The same where several branches part: beside such a point the square of the distance is rounding.
+const CLEAR: [f64; 5] = [1e-2, 3e-2, 0.1, 0.3, 1.0];
 /// The first point may lie this share of its distance from its guess.
 const BESIDE: f64 = 1.0;
 /// It must be away from the known branch by this share of what its guess is.
 const BESIDE_OLD: f64 = 0.3;
 /// Most periods of a motion that is followed: cascades of doublings go on without end, and their turns are sensitive by the product of all.
 const DEEPEST: usize = 4;
+/// Cosine of the angle below which two directions of parting branches are one: a sixth of that between those that are looked in.
+const ALIKE: f64 = 0.998;
 /// A component of a unit vector below this is rounding of the interpolation at a branch point.
 const NONE: f64 = 1e-6;
 
@@ -107,7 +113,7 @@ pub(super) fn from_rest(family: &mut dyn Family, count: usize, options: &Options
         let last = special.place.y.len() - 1;
         let x = &special.place.y[..last];
         let (machine, _) = family.at(special.place.y[last])?;
-        let Some((v, omega)) = oscillating(machine, x, &special.place)? else { continue };
+        let Some((shapes, omega)) = oscillating(machine, x, &special.place)? else { continue };
         let period = TAU / omega;
         let scales = special.place.local.scales[..last].to_vec();
         let periodic = Periodic { tolerance: 1e-13, ..Periodic::default() }; // turns are differentiated: they are followed more closely than they are shown
@@ -118,8 +124,11 @@ pub(super) fn from_rest(family: &mut dyn Family, count: usize, options: &Options
         let mut there = special.clone();
         there.place.y = x.iter().copied().chain([period, special.place.y[last]]).collect();
         there.place.local.scales = scales.iter().copied().chain([period, options.to - options.from]).collect();
-        let direction: Vec<f64> = v.iter().copied().chain([0.0, 0.0]).collect();
-        part(&mut orbits, (k, &there), &[direction], Of::Orbits(0), (options, diagram));
+        let directions: Vec<Vec<f64>> = shapes.into_iter().map(|v| v.into_iter().chain([0.0, 0.0]).collect()).collect();
+        match directions.as_slice() {
+            [_] => part(&mut orbits, (k, &there), &directions, Of::Orbits(0), (options, diagram)),
+            _ => at_once(&mut orbits, (k, &there), &directions, Of::Orbits(0), (options, diagram)),
+        }
         of_orbits(&mut orbits, first, options, diagram);
         crease::follow(&mut orbits, first, (options, diagram));
         let [turns, variations] = orbits.turns();
@@ -135,6 +144,10 @@ fn turned(v: &[f64], sign: f64) -> Vec<f64> {
 
 /// Both directions of the branch that crosses at a branch point, but those from which a known branch has come.
 fn both_ways(zeros: &mut dyn Zeros, (k, special): (usize, &Special), of: Of, (options, diagram): (&Options<'_>, &mut Diagram)) {
+    let several = special.place.parting(zeros.sort());
+    if !several.is_empty() {
+        return at_once(zeros, (k, special), &several, of, (options, diagram));
+    }
     let ways = across(&special.place);
     for sign in [1.0, -1.0] {
         let ways: Vec<Vec<f64>> = ways.iter().map(|v| turned(v, sign)).collect();
@@ -158,7 +171,12 @@ fn part(
         return;
     }
     let tries = ways.iter().flat_map(|v| AWAY.map(|away| (v, away)));
-    let start = tries.into_iter().find_map(|(v, away)| first(zeros, special, v, away).ok().flatten());
+    let start = tries.into_iter().find_map(|(v, away)| first(zeros, special, v, away).ok().flatten().map(|start| (v, start)));
+    // so near that more than the machine's own symmetry changes nothing: farther on
+    let start = start.map(|(v, start)| match start.signs.neutral {
+        0 => start,
+        n => clear_of(zeros, special, v).filter(|other| other.signs.neutral < n).unwrap_or(start),
+    });
     let Some(start) = start else {
         diagram.unmet += 1;
         return;
@@ -168,9 +186,54 @@ fn part(
     diagram.take(kept);
 }
 
+/// Follows the branches that part where several directions vanish at once, each once: of those that a symmetry turns into one another all along, one.
+fn at_once(
+    zeros: &mut dyn Zeros,
+    (k, special): (usize, &Special),
+    ways: &[Vec<f64>],
+    of: Of,
+    (options, diagram): (&Options<'_>, &mut Diagram),
+) {
+    let mut begun: Vec<Place> = Vec::new();
+    let came: Vec<Vec<f64>> = diagram.joined.iter().filter(|(other, _)| *other == k).map(|(_, from)| from.clone()).collect();
+    let origin = &special.place;
+    let leaves = |start: &Place| -> Vec<f64> { start.y.iter().zip(&origin.y).map(|(y, o)| y - o).collect() };
+    let alike = |a: &[f64], b: &[f64]| origin.dot(a, b) > ALIKE * (origin.dot(a, a) * origin.dot(b, b)).sqrt();
+    for v in ways {
+        if came.iter().any(|from| alike(from, v)) {
+            continue;
+        }
+        let Some(start) = clear_of(zeros, special, v) else { continue };
+        let image = |other: &Place| {
+            let (a, b) = (&other.signs, &start.signs);
+            let turned = a.neutral > 0 && a.neutral == b.neutral && a.outside == b.outside;
+            turned || alike(&leaves(other), &leaves(&start))
+        };
+        if begun.iter().any(image) {
+            continue;
+        }
+        if diagram.curves.len() >= options.branches {
+            diagram.left_out += 1;
+            continue;
+        }
+        begun.push(start.clone());
+        let curve = followed(zeros, start, options, diagram);
+        diagram.take(Curve { parent: Some(k), of, ..curve });
+    }
+    diagram.unmet += usize::from(begun.is_empty() && came.is_empty());
+}
+
 /// The first point of a branch beside a special point in a direction (SI, of unit length in scales), at whichever distance there is one.
 pub(super) fn first_of(zeros: &mut dyn Zeros, special: &Special, v: &[f64]) -> Option<Place> {
     AWAY.into_iter().find_map(|away| first(zeros, special, v, away).ok().flatten())
+}
+
+/// The same where several directions vanish at once: so far that no more of them are rounding than farther on.
+fn clear_of(zeros: &mut dyn Zeros, special: &Special, v: &[f64]) -> Option<Place> {
+    let found: Vec<Place> =
+        CLEAR.into_iter().filter_map(|away| first(zeros, special, v, away).ok().flatten()).filter(Place::lies).collect();
+    let least = found.iter().map(|place| place.signs.neutral).min()?;
+    found.into_iter().find(|place| place.signs.neutral == least)
 }
 
 /// The first point of a branch in a direction; none where corrections lead elsewhere, or back to the branch that is known.
@@ -232,27 +295,38 @@ fn spread(place: &Place, c: &[f64]) -> Vec<f64> {
 /// Directions at a branch point, across the branch: that along which the parameter rests (the branches of a symmetric machine part so), and that at right angles
 /// to the branch.
 fn across(place: &Place) -> Vec<Vec<f64>> {
-    let k = place.local.basis.len();
-    let column = |c: &Vec<f64>| place.tangent.iter().zip(c).zip(&place.local.scales).map(|((t, c), s)| t / s * c).sum::<f64>();
-    let mut matrix = place.local.jacobian.clone();
-    matrix.extend(place.local.basis.iter().map(column));
-    let Some(c) = null(&matrix, k) else { return Vec::new() };
-    let mut v = spread(place, &c);
-    let without = |v: &mut [f64], amount: f64| v.iter_mut().zip(&place.tangent).for_each(|(v, t)| *v -= amount * t);
-    let along = place.dot(&v, &place.tangent) / place.dot(&place.tangent, &place.tangent);
-    without(&mut v, along);
-    let last = v.len() - 1;
-    let mut level = v.clone();
-    let moves = (place.tangent[last] / place.local.scales[last]).abs() > NONE;
-    if moves {
-        without(&mut level, v[last] / place.tangent[last]);
-        level[last] = 0.0;
+    match null(&place.bordered(), place.local.basis.len()) {
+        Some(c) => place.beside(spread(place, &c)),
+        None => Vec::new(),
     }
-    let unit = |v: Vec<f64>| {
-        let length = place.dot(&v, &v).sqrt();
-        (length > 0.0 && length.is_finite()).then(|| v.iter().map(|v| v / length).collect::<Vec<f64>>())
-    };
-    [Some(level).filter(|_| moves), Some(v)].into_iter().flatten().filter_map(unit).collect()
+}
+
+impl Place {
+    /// Directions in which several branches may part at once.
+    fn parting(&self, sort: Sort) -> Vec<Vec<f64>> {
+        let found = Even::new(&self.bordered(), &self.local, sort).parting();
+        found.iter().filter_map(|c| self.beside(spread(self, c)).into_iter().next()).collect()
+    }
+
+    /// A direction beside the branch: with the parameter at rest, and at right angles to the branch.
+    fn beside(&self, mut v: Vec<f64>) -> Vec<Vec<f64>> {
+        let place = self;
+        let without = |v: &mut [f64], amount: f64| v.iter_mut().zip(&place.tangent).for_each(|(v, t)| *v -= amount * t);
+        let along = place.dot(&v, &place.tangent) / place.dot(&place.tangent, &place.tangent);
+        without(&mut v, along);
+        let last = v.len() - 1;
+        let mut level = v.clone();
+        let moves = (place.tangent[last] / place.local.scales[last]).abs() > NONE;
+        if moves {
+            without(&mut level, v[last] / place.tangent[last]);
+            level[last] = 0.0;
+        }
+        let unit = |v: Vec<f64>| {
+            let length = place.dot(&v, &v).sqrt();
+            (length > 0.0 && length.is_finite()).then(|| v.iter().map(|v| v / length).collect::<Vec<f64>>())
+        };
+        [Some(level).filter(|_| moves), Some(v)].into_iter().flatten().filter_map(unit).collect()
+    }
 }
 
 /// The direction that a turn reverses.
@@ -266,8 +340,11 @@ fn flipped(place: &Place) -> Option<Vec<f64>> {
     (length > 0.0).then(|| v.iter().map(|v| v / length).collect())
 }
 
-/// Shape and frequency of the oscillation that neither grows nor decays.
-fn oscillating(machine: &mut crate::Machine, x: &[f64], place: &Place) -> Result<Option<(Vec<f64>, f64)>, Fault> {
+/// Real parts of roots that leave the axis together, as a share of their size: a double root is known to the root of a rounding.
+const TOGETHER: f64 = 1e-6;
+
+/// Shapes and frequency of the oscillation that neither grows nor decays; where several do at once also their sums, in phase and a quarter of a period apart.
+fn oscillating(machine: &mut crate::Machine, x: &[f64], place: &Place) -> Result<Option<(Vec<Vec<f64>>, f64)>, Fault> {
     let n = x.len();
     let modes = machine.modes_by_value(0.0, x).unwrap_or_default();
     let mut rows = Vec::new();
@@ -275,14 +352,28 @@ fn oscillating(machine: &mut crate::Machine, x: &[f64], place: &Place) -> Result
     let scales = &place.local.scales;
     let matrix: Vec<f64> = (0..n * n).map(|e| rows[e / n * (n + 1) + e % n] * scales[e % n] / scales[e / n]).collect();
     let found = general(n, &matrix)?;
-    let nearest = (0..n).filter(|j| found.values[*j].im > 0.0).min_by(|a, b| {
-        let off = |j: &usize| (found.values[*j].re / found.values[*j].im).abs();
-        off(a).total_cmp(&off(b))
-    });
-    let Some(j) = nearest else { return Ok(None) };
-    let v: Vec<f64> = found.vector(j).iter().zip(scales).map(|(z, s)| z.re * s).collect();
-    let length = v.iter().zip(scales).map(|(v, s)| (v / s) * (v / s)).sum::<f64>().sqrt();
-    Ok((length > 0.0).then(|| (v.iter().map(|v| v / length).collect(), found.values[j].im)))
+    let off = |j: &usize| (found.values[*j].re / found.values[*j].im).abs();
+    let mut pairs: Vec<usize> = (0..n).filter(|j| found.values[*j].im > 0.0).collect();
+    pairs.sort_by(|a, b| off(a).total_cmp(&off(b)));
+    let Some(&nearest) = pairs.first() else { return Ok(None) };
+    let omega = found.values[nearest].im;
+    let one = |j: &usize| *j == nearest || off(j) <= TOGETHER && (found.values[*j].im - omega).abs() <= TOGETHER * omega;
+    let shapes: Vec<Vec<Complex>> = pairs.iter().filter(|j| one(j)).map(|j| found.vector(*j).to_vec()).collect();
+    let mut sums: Vec<Vec<Complex>> = shapes.clone();
+    for (i, a) in shapes.iter().enumerate() {
+        for b in &shapes[i + 1..] {
+            for (re, im) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+                sums.push(a.iter().zip(b).map(|(a, b)| *a + *b * Complex { re, im }).collect());
+            }
+        }
+    }
+    let unit = |z: &Vec<Complex>| {
+        let v: Vec<f64> = z.iter().zip(scales).map(|(z, s)| z.re * s).collect();
+        let length = v.iter().zip(scales).map(|(v, s)| (v / s) * (v / s)).sum::<f64>().sqrt();
+        (length > 0.0).then(|| v.iter().map(|v| v / length).collect::<Vec<f64>>())
+    };
+    let shapes: Vec<Vec<f64>> = sums.iter().filter_map(unit).collect();
+    Ok((!shapes.is_empty()).then_some((shapes, omega)))
 }
 
 /// The motion repeats only in a frame that moves.

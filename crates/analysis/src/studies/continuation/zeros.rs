@@ -52,6 +52,8 @@ pub(super) struct Local {
     pub(super) scales: Vec<f64>,
     /// ∂R/∂c: rows are the equations, columns the free directions and the parameter as the last one, all in scales.
     pub(super) jacobian: Vec<f64>,
+    /// What each row is in other places, in scales: where rows vanish they are held against it. Empty where they are told by themselves.
+    pub(super) rows: Vec<f64>,
     /// R there, in scales.
     pub(super) residual: Vec<f64>,
     /// Change of y by each direction, in scales.
@@ -146,6 +148,8 @@ pub(super) enum Sort {
 pub(super) struct Signs {
     pub(super) fold: f64,
     pub(super) branch: f64,
+    /// Number of directions that change no equation, at points as at this one.
+    pub(super) neutral: usize,
     /// det J without the column of the parameter: zero at a fold and at a branch point, and known to all digits of Φ, where the column is that of a difference.
     pub(super) square: f64,
     /// None of places of rest.
@@ -207,6 +211,14 @@ impl Place {
     /// What it is.
     pub fn facts(&self) -> &Facts {
         &self.local.facts
+    }
+
+    /// J, and the tangent of the branch as the last row.
+    pub(super) fn bordered(&self) -> Vec<f64> {
+        let column = |c: &Vec<f64>| self.tangent.iter().zip(c).zip(&self.local.scales).map(|((t, c), s)| t / s * c).sum::<f64>();
+        let mut matrix = self.local.jacobian.clone();
+        matrix.extend(self.local.basis.iter().map(column));
+        matrix
     }
 
     /// a · b in the scales of this place.

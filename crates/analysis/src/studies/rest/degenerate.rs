@@ -151,6 +151,8 @@ struct Direction {
     /// Of the force, in the same units of work: the shape itself where C is symmetric.
     against: Vec<f64>,
     stiffness: f64,
+    /// One metre (radian) in sizes of that coordinate.
+    unit: f64,
     /// The part of C.
     part: Rounded,
 }
@@ -258,11 +260,12 @@ impl Around<'_> {
         let by = |v: &[f64], f: fn(f64, f64) -> f64| -> Vec<f64> { v.iter().zip(&units).map(|(v, u)| f(*v, *u)).collect() };
         let direction = |pair: &Pair| {
             let (shape, against) = (whole(&by(&pair.right, |v, u| v * u)), whole(&by(&pair.left, |v, u| v * u)));
-            let most = shape.iter().zip(&sizes).fold(0.0_f64, |m, (v, size)| m.max(v.abs() / size));
+            let [most, size] =
+                shape.iter().zip(&sizes).map(|(v, size)| [v.abs() / size, *size]).fold([0.0, 1.0], |m, v| if v[0] > m[0] { v } else { m });
             let part =
                 Rounded { stiffness: pair.value, left: dual(&by(&pair.left, |v, u| v / u)), right: dual(&by(&pair.right, |v, u| v / u)) };
             let scaled = |list: Vec<f64>| list.iter().map(|v| v / most).collect();
-            Direction { shape: scaled(shape), against: scaled(against), stiffness: pair.value / (most * most), part }
+            Direction { shape: scaled(shape), against: scaled(against), stiffness: pair.value / (most * most), unit: size.recip(), part }
         };
         let directions = found.iter().map(direction).collect();
         Some(Around { machine, q: place.q.clone(), along, directions })
@@ -324,17 +327,20 @@ impl Around<'_> {
                 |g: Option<[f64; 2]>, s: f64| g.is_none_or(|[g, noise]| (g - stiffness * s).abs() > BENT * (stiffness * s).abs() + noise);
             !off(there, s) && !off(here, -s)
         };
-        if LOOKS.iter().all(|s| straight(self, *s)) {
-            return Way::Plain;
+        if !LOOKS.iter().all(|s| straight(self, *s)) {
+            return self.follow(j, MOST);
         }
-        self.follow(j)
+        // a place that is itself no more than what rounding leaves of a zero has no size of its own: at its own distance nothing is clear
+        let unseen = |g: Option<[f64; 2]>| g.is_some_and(|[g, noise]| g.abs().max((stiffness * MOST).abs()) <= noise);
+        let unit = self.directions[j].unit;
+        if unit > 1.0 && [MOST, -MOST].iter().all(|s| unseen(self.gradient(j, *s))) { self.follow(j, MOST * unit) } else { Way::Plain }
     }
 
-    /// The force on both sides, from near the place on.
-    fn follow(&mut self, j: usize) -> Way {
+    /// The force on both sides, from near the place on to a displacement.
+    fn follow(&mut self, j: usize, farthest: f64) -> Way {
         let stiffness = self.directions[j].stiffness;
         let (mut before, mut open, mut s) = (None, false, LEAST);
-        while s <= MOST {
+        while s <= farthest {
             let sides = [s, -s].map(|s| self.gradient(j, s).map(|[g, noise]| (if g.abs() > CLEAR * noise { g } else { 0.0 }, s)));
             let [Some(there), Some(here)] = sides else { return if open { Way::Open } else { Way::Plain } };
             let sides = [there, here];
