@@ -16,7 +16,7 @@ mod sought;
 pub use graded::Graded;
 pub use machine::values::Values;
 pub use machine::{LinearMachine, Place, driven};
-pub use matrices::{Harmonic, Matrices, largest, parts};
+pub use matrices::{Harmonic, Matrices, hidden_inertia, largest, parts};
 pub use observer::Observer;
 pub use reactions::LoadParts;
 pub use seen::Seen;

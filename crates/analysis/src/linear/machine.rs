@@ -12,7 +12,7 @@ use symbolic::{Equations, Expr, Linear, SymbolId};
 use words::Text;
 
 use super::graded::hides;
-use super::matrices::{Harmonic, Matrices, settle};
+use super::matrices::{Harmonic, Matrices, largest, settle};
 use super::sought::Seeking;
 use crate::naming::notation;
 use crate::rest::fine::Sought;
@@ -273,6 +273,13 @@ impl LinearMachine {
     /// *Errors*: an entry has no finite value there.
     pub fn at(&mut self, place: &Place) -> Result<Matrices, Fault> {
         self.full(place).map(|f| f.matrices)
+    }
+
+    /// The largest rounding of an entry of B, and of C, where they were last evaluated.
+    pub fn rounding(&self) -> [f64; 2] {
+        let square = self.names.len() * self.names.len();
+        let roundings = self.evaluator.root_roundings();
+        [1, 2].map(|k| roundings.get(k * square..(k + 1) * square).map_or(0.0, largest))
     }
 
     fn full(&mut self, place: &Place) -> Result<Full, Fault> {

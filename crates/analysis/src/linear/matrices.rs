@@ -2,6 +2,7 @@
 
 use algebra::double::Double;
 use algebra::qr;
+use words::Text;
 
 /// The matrices of small motions, row-major n x n, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -147,4 +148,29 @@ pub fn parts(a: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
 /// Largest absolute entry.
 pub fn largest(a: &[f64]) -> f64 {
     a.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}
+
+/// Share of the inertias on the diagonal below which what is left of their difference loses digits of a result that are shown.
+const HIDDEN: f64 = 1e-7;
+/// Below this nothing is left: a motion without inertia.
+const NONE: f64 = 1e-15;
+
+/// What is to be said where an inertia is the small difference of large ones, as that of a small body beside a large one in sums and differences of their places: its digits are those that
+/// rounding leaves of the difference.
+pub fn hidden_inertia(matrices: &Matrices) -> Option<Text> {
+    let n = matrices.n;
+    let size = |i: usize| matrices.mass[i * n + i];
+    if (0..n).any(|i| size(i) <= 0.0) {
+        return None;
+    }
+    let scaled: Vec<f64> = (0..n * n).map(|p| matrices.mass[p] / (size(p / n) * size(p % n)).sqrt()).collect();
+    let unit: Vec<f64> = (0..n * n).map(|p| f64::from(u8::from(p / n == p % n))).collect();
+    let least = algebra::eigen::symmetric(n, &parts(&scaled, n).0, &unit).ok()?.values.iter().copied().fold(f64::INFINITY, f64::min);
+    let digits = (-algebra::elementary::ln(f64::EPSILON / least) / std::f64::consts::LN_10).floor();
+    (least < HIDDEN && least > NONE).then(|| {
+        Text::new(
+            format!("an inertia is the small difference of large ones in these coordinates: about {digits} digits of what hangs on it are left; give a coordinate to the small body itself"),
+            format!("в этих координатах одна из инерций — малая разность больших: у зависящих от неё величин верны около {digits} цифр; задайте малому телу собственную координату"),
+        )
+    })
 }

@@ -144,13 +144,16 @@ pub(crate) fn balance(system: &mut RestSystem, z: &mut [f64]) -> Result<(), Faul
     z[n..n + k].fill(0.0);
     let rows = system.at(z)?;
     let all: Vec<&Row> = rows.forces.iter().chain(&rows.balances).collect();
+    // forces by the work that they do over the sizes of their coordinates: a row in which a reaction all but vanishes counts for what it is
+    let sizes = system.sizes().at(&[&z[..n]]);
     let size = |r: &Row| r.slopes[n..n + k].iter().fold(0.0_f64, |m, s| m.max(s.abs()));
-    let weight = |r: &Row| if size(r) > 0.0 { 1.0 / size(r) } else { 1.0 };
+    let own = |r: &Row| if size(r) > 0.0 { 1.0 / size(r) } else { 1.0 };
+    let weights: Vec<f64> = sizes.into_iter().chain(rows.balances.iter().map(own)).collect();
     if k == 0 {
         return Ok(());
     }
-    let matrix: Vec<f64> = all.iter().flat_map(|r| r.slopes[n..n + k].iter().map(move |s| s * weight(r))).collect();
-    let right: Vec<f64> = all.iter().map(|r| -r.value * weight(r)).collect();
+    let matrix: Vec<f64> = all.iter().zip(&weights).flat_map(|(r, w)| r.slopes[n..n + k].iter().map(move |s| s * w)).collect();
+    let right: Vec<f64> = all.iter().zip(&weights).map(|(r, w)| -r.value * w).collect();
     z[n..n + k].copy_from_slice(&Qr::new(&matrix, all.len(), k).least_squares(&right).0);
     Ok(())
 }

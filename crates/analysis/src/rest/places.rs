@@ -19,7 +19,7 @@ use words::Text;
 
 use super::fine::Sought;
 use super::newton::{self, SOLVED, balance, worst};
-use super::search::{Equilibrium, Range};
+use super::search::{self, Equilibrium, Range};
 use super::sizes::NOISE;
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, gap_size};
@@ -57,6 +57,8 @@ pub struct Place {
     pub residual: f64,
     /// What coordinates, and then reactions, have below their last digits, where weak springs stand beside hard ones; else empty.
     pub below: Vec<f64>,
+    /// Ends of what is one place but for rounding.
+    pub(crate) flat: Option<[Vec<f64>; 2]>,
 }
 
 /// Places of rest and what there is to say about the search.
@@ -185,6 +187,17 @@ pub(super) fn rest_rows(rows: &Rows, _: &[f64]) -> Vec<Row> {
 
 impl Search<'_> {
     fn run(&mut self, start: &[f64], options: &Equilibrium) -> Result<(), Fault> {
+        self.search(start, options)?;
+        // what grew together since
+        for place in std::mem::take(&mut self.found.list) {
+            if !self.join(&place.q) {
+                self.found.list.push(place);
+            }
+        }
+        Ok(())
+    }
+
+    fn search(&mut self, start: &[f64], options: &Equilibrium) -> Result<(), Fault> {
         self.newton(start);
         let n = self.system.n;
         for guess in options.guesses.iter().filter(|g| g.len() == n) {
@@ -272,12 +285,64 @@ impl Search<'_> {
         if self.found.list.iter().any(|p| self.system.sizes().same([&p.q, q], &self.start, ONE)) {
             return;
         }
+        if !self.join(q) {
+            let place = self.place(z, below);
+            self.found.list.push(place);
+        }
+    }
+
+    /// Joins a place with one that is found, where they are one but for rounding; the middle of both stands for them.
+    fn join(&mut self, q: &[f64]) -> bool {
+        let Some((k, ends)) = self.one(q) else { return false };
+        let middle: Vec<f64> = ends[0].iter().zip(&ends[1]).map(|(a, b)| 0.5 * (a + b)).collect();
+        if let Some(z) = self.rests_at(&middle) {
+            let place = self.place(&z, &[]);
+            self.found.list[k] = Place { flat: Some(ends), ..place };
+        }
+        true
+    }
+
+    /// Which of the places found one more belongs to, with the ends of both, where no force between them is clear of its rounding.
+    fn one(&mut self, q: &[f64]) -> Option<(usize, [Vec<f64>; 2])> {
+        for k in 0..self.found.list.len() {
+            let p = &self.found.list[k];
+            let [a, b] = p.flat.clone().unwrap_or_else(|| [p.q.clone(), p.q.clone()]);
+            let near = |end: &Vec<f64>| self.system.sizes().same([end, q], &self.start, search::BESIDE);
+            if p.closed != self.closed || !near(&a) && !near(&b) {
+                continue;
+            }
+            let between = |share: f64| a.iter().zip(q).map(|(a, q)| a + share * (q - a)).collect::<Vec<f64>>();
+            if !search::ACROSS.into_iter().all(|share| self.rests_at(&between(share)).is_some()) {
+                continue;
+            }
+            let apart = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+            let far = if apart(&a, q) >= apart(&b, q) { &a } else { &b };
+            return Some((k, if apart(far, q) > apart(&a, &b) { [far.clone(), q.to_vec()] } else { [a, b] }));
+        }
+        None
+    }
+
+    /// z where the machine rests beside a place but for rounding.
+    fn rests_at(&mut self, q: &[f64]) -> Option<Vec<f64>> {
+        let mut q = q.to_vec();
+        draw(&mut self.system, &mut q, None)?;
+        let mut z = self.system.z(&q);
+        balance(&mut self.system, &mut z).ok()?;
+        let rows = self.system.at(&z).ok()?;
+        (worst(&rest_rows(&rows, &z), &z) <= search::FLAT).then_some(z)
+    }
+
+    /// A place with its reactions.
+    fn place(&mut self, z: &[f64], below: &[f64]) -> Place {
+        let n = self.system.n;
+        let q = &z[..n];
         let mut reactions: Vec<Option<f64>> = vec![Some(0.0); self.equations.reactions.len()];
         for (r, reaction) in self.equations.reactions.iter().enumerate() {
             if reaction.law.is_hidden() {
                 reactions[r] = None;
             }
         }
+        let rows = self.system.at(z).unwrap_or_default();
         let sizes = self.system.sizes().at(&[q, &self.start]);
         let tidy = |c: usize| if is_noise(&rows, z, &sizes, n + c) { 0.0 } else { z[n + c] };
         self.system.reactions.iter().enumerate().for_each(|(c, r)| reactions[*r] = Some(tidy(c)));
@@ -287,7 +352,7 @@ impl Search<'_> {
             digits.resize(n + reactions.len(), 0.0);
             self.system.reactions.iter().enumerate().for_each(|(c, r)| digits[n + r] = below[n + c]);
         }
-        self.found.list.push(Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual, below: digits });
+        Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual, below: digits, flat: None }
     }
 
     /// An orthonormal basis of the motions along the surface.

@@ -260,6 +260,18 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
         Ok(comes_back)
     }
 
+    /// The middle of two places between which no force is clear of its rounding: they are one, at a zero of higher order.
+    pub(crate) fn between(&mut self, [a, b]: [&[f64]; 2], x: &[f64]) -> Option<Rest> {
+        let n = self.n;
+        let mut at = |share: f64| {
+            let mut there = x.to_vec();
+            (0..n).for_each(|i| there[i] = a[i] + share * (b[i] - a[i]));
+            self.evaluate(&there).ok().filter(|()| self.residual(&there) <= FLAT)?;
+            Some(self.rest(there))
+        };
+        ACROSS.into_iter().map(&mut at).collect::<Option<Vec<Rest>>>()?.into_iter().next()
+    }
+
     /// Guesses along a range: with one coordinate every change of sign of its force and every place where it nearly touches zero, with
     /// more coordinates equidistant values, the others as they start.
     pub(crate) fn along(&mut self, range: Range, start: &[f64]) -> Vec<Vec<f64>> {
@@ -415,6 +427,13 @@ pub fn accelerated() -> Fault {
         ),
     })
 }
+
+/// Shares of the way between two places at which forces are looked at, the middle first.
+pub(crate) const ACROSS: [f64; 5] = [0.5, 0.13, 0.31, 0.71, 0.89];
+/// A force below this share of the terms that meet in it is rounding there: some hundred units in the last place.
+pub(crate) const FLAT: f64 = 1e-13;
+/// So near, as a share of their sizes, two places may be one.
+pub(crate) const BESIDE: f64 = 1e-2;
 
 /// A force below this share of the largest along a range may touch zero.
 const TOUCHING: f64 = 1e-5;

@@ -68,7 +68,8 @@ pub fn unknowns(equations: &Equations, parameters: &[usize], impending: &[Impend
     let kept = kept(equations, &mut system, &z)?;
     let given: Vec<bool> = equations.coordinates.iter().map(|c| c.given[0]).collect();
     let start_of = |j: usize| if given[j] { None } else { Some(q[j]) };
-    let starts = Starts { all: (0..q.len()).map(start_of).collect(), kept, on_rates: system.rate_only.clone() };
+    let follows = follows(&mut system, &z, &kept)?;
+    let starts = Starts { all: (0..q.len()).map(start_of).collect(), kept, follows, on_rates: system.rate_only.clone() };
     let limits = limit_rows(&system, impending);
     let first = system.n + system.reactions.len();
     let mut search = Search { equations, system, start: z, starts, impending };
@@ -118,6 +119,8 @@ struct Starts {
     all: Vec<Option<f64>>,
     /// Coordinates that stand there.
     kept: Vec<usize>,
+    /// Which others follow from these by conditions that have a place, wherever the unknowns lead.
+    follows: Vec<bool>,
     /// Which places are those of conditions on rates.
     on_rates: Vec<bool>,
 }
@@ -148,7 +151,7 @@ impl Starts {
             return own.clone();
         }
         let mut row = Row { value: 0.0, slopes: vec![0.0; z.len()], ..own.clone() };
-        for j in (0..self.all.len()).filter(|j| own.slopes[*j] != 0.0) {
+        for j in (0..self.all.len()).filter(|j| own.slopes[*j] != 0.0 && !self.follows[*j]) {
             let away = self.away(rows, z, j);
             row.value += own.slopes[j] * away.value;
             row.slopes.iter_mut().zip(&away.slopes).for_each(|(s, a)| *s += own.slopes[j] * a);
@@ -205,6 +208,29 @@ pub(super) fn signs(limits: &[Limited]) -> Vec<Vec<Limited>> {
     (0..1_usize << limits.len()).map(one).collect()
 }
 
+/// Which coordinates follow from those that stand by conditions that have a place.
+fn follows(system: &mut RestSystem, z: &[f64], kept: &[usize]) -> Result<Vec<bool>, Fault> {
+    let n = system.n;
+    let rows = system.at(z)?;
+    let unit = |j: usize| (0..n).map(|k| if k == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+    let placed = rows.places.iter().zip(&system.rate_only).filter(|(_, only)| !**only).map(|(r, _)| r.slopes[..n].to_vec());
+    let mut vectors: Vec<Vec<f64>> = placed.chain(kept.iter().map(|j| unit(*j))).collect();
+    let rank = rank_of(&vectors, n);
+    let mut follow = |j: usize| {
+        vectors.push(unit(j));
+        let more = rank_of(&vectors, n);
+        vectors.pop();
+        more == rank && !kept.contains(&j)
+    };
+    Ok((0..n).map(&mut follow).collect())
+}
+
+/// Rank of directions, each scaled to length one.
+fn rank_of(vectors: &[Vec<f64>], n: usize) -> usize {
+    let scaled: Vec<f64> = vectors.iter().filter(|v| norm(v) > 0.0).flat_map(|v| v.iter().map(move |a| a / norm(v))).collect();
+    qr::rank(&scaled, scaled.len() / n.max(1), n)
+}
+
 /// Coordinates that stand at their start: the given ones, and of the others, in their order, those that the places leave open.
 fn kept(equations: &Equations, system: &mut RestSystem, z: &[f64]) -> Result<Vec<usize>, Fault> {
     let n = system.n;
@@ -212,17 +238,13 @@ fn kept(equations: &Equations, system: &mut RestSystem, z: &[f64]) -> Result<Vec
     let mut vectors: Vec<Vec<f64>> = rows.places.iter().map(|r| r.slopes[..n].to_vec()).collect();
     let unit = |j: usize| (0..n).map(|k| if k == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
     let coordinates = &equations.coordinates;
-    let rank_of = |vectors: &[Vec<f64>]| {
-        let scaled: Vec<f64> = vectors.iter().filter(|v| norm(v) > 0.0).flat_map(|v| v.iter().map(move |a| a / norm(v))).collect();
-        qr::rank(&scaled, scaled.len() / n.max(1), n)
-    };
     let mut kept: Vec<usize> = (0..n).filter(|j| coordinates[*j].given[0]).collect();
     vectors.extend(kept.iter().map(|j| unit(*j)));
-    let mut rank = rank_of(&vectors);
+    let mut rank = rank_of(&vectors, n);
     let others = (0..n).filter(|j| !coordinates[*j].given[0] && !coordinates[*j].guessed[0]);
     for j in others.chain((0..n).filter(|j| coordinates[*j].guessed[0] && !coordinates[*j].given[0])) {
         vectors.push(unit(j));
-        let more = rank_of(&vectors);
+        let more = rank_of(&vectors, n);
         if more > rank {
             rank = more;
             kept.push(j);

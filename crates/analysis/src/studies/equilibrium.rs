@@ -10,7 +10,7 @@ use words::Text;
 use crate::audits::worst;
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::rest::newton::RESIDUAL;
-use crate::rest::search::{ONE, Rest, Search, Searched, Statics, nothing_between};
+use crate::rest::search::{BESIDE, ONE, Rest, Search, Searched, Statics, nothing_between};
 use crate::{Quantity, System};
 
 use super::simulate::Outcome;
@@ -80,13 +80,22 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         turned(&mut along, &angles);
     }
     let sizes = search.sizes.clone();
+    let mut flat: Vec<[Vec<f64>; 2]> = Vec::new();
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
         let rates = (2 * n).min(x.len());
         x[n..rates].fill(0.0);
         x[..n].copy_from_slice(guess);
         match search.sought(x) {
-            Ok(rest) if found.iter().all(|other| !sizes.same([&other.q, &rest.q], &own, ONE)) => found.push(rest),
+            Ok(rest) if found.iter().all(|other| !sizes.same([&other.q, &rest.q], &own, ONE)) => {
+                match one(&mut search, &mut flat, &rest, start) {
+                    Some((k, middle)) => found[k] = middle,
+                    None => {
+                        flat.push([rest.q.clone(), rest.q.clone()]);
+                        found.push(rest);
+                    }
+                }
+            }
             Ok(_) => {}
             Err(fault) => faults.push(fault),
         }
@@ -110,7 +119,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
             "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
         ));
     }
-    if options.over.is_none() && n > 1 && found.iter().any(|rest| rest.stable.is_none()) {
+    if options.over.is_none() && n > 1 && found.iter().any(|rest| rest.stable.is_none() && rest.symmetric) {
         dataset.notes.push(neutral());
     }
     // a guess that failed matters only when nothing was found, a free motion always
@@ -121,6 +130,28 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         None => None,
     };
     Outcome { dataset, fault }
+}
+
+/// Which of the places found one more belongs to, and the middle of both, where no force between them is clear of its rounding; `flat` are the ends of the places found.
+fn one<S: Statics + ?Sized>(search: &mut Search<'_, S>, flat: &mut [[Vec<f64>; 2]], rest: &Rest, start: &[f64]) -> Option<(usize, Rest)> {
+    let n = rest.q.len();
+    let mut x = start.to_vec();
+    let rates = (2 * n).min(x.len());
+    x[n..rates].fill(0.0);
+    let sizes = search.sizes.clone();
+    flat.iter_mut().enumerate().find_map(|(k, [a, b])| {
+        if !sizes.same([a, &rest.q], &start[..n], BESIDE) && !sizes.same([b, &rest.q], &start[..n], BESIDE) {
+            return None;
+        }
+        search.between([a, &rest.q], &x)?;
+        let apart = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+        // the farther of both ends stays
+        let far = if apart(a, &rest.q) >= apart(b, &rest.q) { a.clone() } else { b.clone() };
+        if apart(&far, &rest.q) > apart(a, b) {
+            (*a, *b) = (far, rest.q.clone());
+        }
+        Some((k, search.between([a, b], &x)?))
+    })
 }
 
 /// Adds every guess with some of the other angles turned by half a turn, where machines under gravity rest too.

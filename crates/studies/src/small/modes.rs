@@ -10,7 +10,7 @@ use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};
 use crate::wording::Word as Say;
 use analysis::dataset::{Column, Missing};
-use analysis::linear::Matrices;
+use analysis::linear::{Matrices, hidden_inertia};
 use analysis::rest::search::accelerated;
 use analysis::studies::modes::{self, Damping, Kind, Mode, Modes, Normalisation};
 use analysis::studies::rest::branch::Change;
@@ -173,6 +173,7 @@ fn dataset(found: &Found) -> Dataset {
     data.notes.extend(found.kept.and_then(|kept| left_out(found, kept)));
     data.notes.extend(remark(found.degenerate.iter()));
     data.notes.extend(found.kink.then(kinks::remark));
+    data.notes.extend(hidden_inertia(&found.matrices));
     data.notes.extend(timing_notes(timing(found)));
     data
 }

@@ -165,6 +165,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     let mut notes = remarks(machine, &small);
     notes.extend(degenerate::remark(degenerate::degenerate(&mut small.machine, &small.place).iter()));
     notes.extend(kinks::is_kink(&mut small.machine, &small.place).then(kinks::remark));
+    notes.extend(analysis::linear::hidden_inertia(&matrices));
     let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
     let load = (source.clone(), parameter);

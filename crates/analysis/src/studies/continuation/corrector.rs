@@ -14,6 +14,8 @@ use algebra::vectors::norm;
 
 /// Behind a step below this, in scales, is a point: steps fall by some three digits each, and the point is held against Newton's own correction afterwards.
 const ENOUGH: f64 = 1e-10;
+/// What is small beside the scales goes on to that share of the motion's own sizes, as long as corrections fall by this: then they are rounding.
+const FALLS: f64 = 0.5;
 /// Steps above this are those that tell how far the guess was.
 const TELLING: f64 = 1e-7;
 /// Where steps end to fall, a point is known to this.
@@ -55,7 +57,7 @@ pub(super) fn correct(zeros: &mut dyn Zeros, near: &Local, guess: &[f64], plane:
     let row: Vec<f64> = near.basis.iter().map(|column| in_scales(plane.normal, column)).collect();
     let mut y = guess.to_vec();
     let mut residual = zeros.residual(&y, near)?;
-    let (mut last, mut steps) = (f64::INFINITY, 0);
+    let (mut last, mut before, mut steps) = (f64::INFINITY, f64::INFINITY, 0);
     for _ in 0..MOST {
         let mut matrix = jacobian.clone();
         matrix.extend(&row);
@@ -71,7 +73,8 @@ pub(super) fn correct(zeros: &mut dyn Zeros, near: &Local, guess: &[f64], plane:
         }
         steps += usize::from(size > TELLING);
         y = zeros.moved(&y, &change, near)?;
-        if size <= ENOUGH {
+        let own = near.change(&change);
+        if size <= ENOUGH && (own <= ENOUGH || own >= FALLS * before) {
             return Ok(Some(Corrected { y, steps }));
         }
         residual = zeros.residual(&y, near)?;
@@ -79,7 +82,7 @@ pub(super) fn correct(zeros: &mut dyn Zeros, near: &Local, guess: &[f64], plane:
         for (i, r) in residual.iter().enumerate() {
             (0..k).for_each(|j| jacobian[i * k + j] += r * change[j] / square);
         }
-        last = size;
+        (last, before) = (size, own);
     }
     Ok((last <= ROUGH).then_some(Corrected { y, steps }))
 }
@@ -110,15 +113,18 @@ pub(super) fn reached(zeros: &mut dyn Zeros, guess: Vec<f64>, direction: &[f64])
 /// *Errors*: those of the equations.
 pub(super) fn place(zeros: &mut dyn Zeros, mut y: Vec<f64>, direction: &[f64]) -> Result<Option<Place>, Fault> {
     let mut local = zeros.local(&y)?;
+    let mut before = f64::INFINITY;
     for polish in 0..=POLISHED {
         let mut matrix = local.jacobian.clone();
         matrix.extend(local.basis.iter().map(|c| direction.iter().zip(c).zip(&local.scales).map(|((d, c), s)| d / s * c).sum::<f64>()));
         let right: Vec<f64> = local.residual.iter().map(|r| -r).chain([0.0]).collect();
         let Some(change) = Even::new(&matrix, &local, zeros.sort()).solve(&right) else { break };
-        let size = norm(&change);
-        local.facts.miss = size;
+        let (size, own) = (norm(&change), local.change(&change));
+        let rounded = size <= ROUNDED && own >= FALLS * before;
+        local.facts.miss = if rounded { size } else { own };
+        before = own;
         // a guess is no point yet, and what cannot be corrected stays what it is: between two pieces of the equations corrections lead to and fro
-        if size <= ROUNDED || !size.is_finite() || size > FAR || polish == POLISHED {
+        if own <= ROUNDED || rounded || !size.is_finite() || size > FAR || polish == POLISHED {
             break;
         }
         y = zeros.moved(&y, &change, &local)?;

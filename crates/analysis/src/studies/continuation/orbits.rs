@@ -7,10 +7,10 @@
 
 use super::collocation::Collocation;
 use super::ground::{Ground, not_the_period, not_the_turn, passes_the_start, period_at};
-use super::zeros::{Facts, Family, Finer, Local, Place, Sort, Zeros};
-use crate::Fault;
+use super::zeros::{Facts, Family, Finer, Local, Place, Sort, Turn, Zeros};
 use crate::studies::periodic::{Multiplier, Shooting, Turned, Varied};
 use crate::studies::stability::{Verdict, verdict};
+use crate::{Fault, System};
 use algebra::vectors::norm;
 
 /// Step of the parameter for derivatives, as a share of its range: turns are known to some fourteen digits, and half of that is the best of a difference.
@@ -141,6 +141,43 @@ impl<'o> Orbits<'_, 'o> {
     }
 }
 
+/// Share of the rates at which what has to come back is at rest in a motion.
+const AT_REST: f64 = 1e-12;
+
+/// The angle by which a motion is counted that is nothing but steady turning: all else is at rest, and how long a turn takes follows from the angle alone.
+fn steady_turn(turned: &Turned<'_>, varied: &Varied, (y, coordinates): (&[f64], usize)) -> Option<Turn> {
+    let n = varied.rates.len();
+    let angle =
+        (0..coordinates).filter(|i| !varied.states.contains(i)).max_by(|a, b| varied.rates[*a].abs().total_cmp(&varied.rates[*b].abs()))?;
+    let speed = varied.rates[angle];
+    let still = varied.states.iter().all(|&i| varied.rates[i].abs() <= AT_REST * speed.abs());
+    (still && speed != 0.0).then(|| Turn {
+        angle,
+        rate: coordinates + angle,
+        speed,
+        period: y[n],
+        whole: speed * y[n] - turned.gap()[angle],
+    })
+}
+
+/// A coordinate is held against the others of its unit in its motion by this share, and against its size on the branch: what is less is their rounding.
+const BESIDE: f64 = 1e-3;
+const LEAST: f64 = 1e-7;
+
+/// Sizes of the unknowns in one motion, SI.
+fn own_sizes(machine: &crate::Machine, extremes: &[[f64; 2]], scales: &[f64]) -> Vec<f64> {
+    let (n, states) = (extremes.len(), machine.states());
+    let reach = |i: usize| extremes[i][0].abs().max(extremes[i][1].abs());
+    let alike = |i: usize| (0..n).filter(|j| states[*j].unit == states[i].unit).map(reach).fold(0.0, f64::max);
+    let place = |i: usize| reach(i).max(BESIDE * alike(i)).max(LEAST * scales[i]);
+    let of = |i: usize| match i {
+        _ if i < n => place(i),
+        _ if i < 2 * n => place(i - n) * scales[i] / scales[i - n],
+        _ => scales[i],
+    };
+    (0..scales.len()).map(of).map(|size| if size.is_finite() { size } else { 1.0 }).collect()
+}
+
 /// What the states that return are missed by, in scales, at most.
 fn missed_in(turned: &Turned<'_>, states: &[usize], scales: &[f64]) -> f64 {
     let gap = turned.gap();
@@ -181,7 +218,14 @@ fn jacobian(varied: &Varied, local: &Local, by_parameter: &[f64]) -> Vec<f64> {
             jacobian[i * columns + k] = varied.rates[state] * local.scales[n] / local.scales[state];
         }
     }
-    if let Some((rates, _)) = &local.phase {
+    if let Some(turn) = &local.turning {
+        let (period, rate) = (local.scales[n], turn.rate);
+        let size = local.scales[turn.angle];
+        for (j, column) in local.basis.iter().take(k).enumerate() {
+            jacobian[k * columns + j] = turn.period * column[rate] * local.scales[rate] / size;
+        }
+        jacobian[k * columns + k] = turn.speed * period / size;
+    } else if let Some((rates, _)) = &local.phase {
         for (j, column) in local.basis.iter().take(k).enumerate() {
             jacobian[k * columns + j] = rates.iter().zip(column).zip(&local.scales).map(|((r, b), s)| r / s * b).sum();
         }
@@ -220,6 +264,7 @@ impl Zeros for Orbits<'_, '_> {
         let mut basis = directions(&varied, &scales, y.len());
         basis.pop();
         basis.push(with_parameter.iter().zip(&scales).map(|(change, scale)| change / scale).collect());
+        let turning = if last > n { steady_turn(&turned, &varied, (y, coordinates)) } else { None };
         let phase = (last > n).then(|| {
             let size = varied.rates.iter().zip(&scales).map(|(r, s)| (r / s) * (r / s)).sum::<f64>().sqrt();
             (varied.rates.iter().map(|r| r / size).collect::<Vec<f64>>(), y[..n].to_vec())
@@ -242,9 +287,21 @@ impl Zeros for Orbits<'_, '_> {
             liouville: varied.liouville,
             ..Facts::default()
         };
+        let (machine, _) = self.family.at(y[last])?;
+        let own = own_sizes(machine, &facts.extremes, &scales);
         let rows = vec![1.0; varied.states.len()];
-        let mut local =
-            Local { scales, jacobian: Vec::new(), rows, residual: Vec::new(), basis, states: varied.states.clone(), phase, facts };
+        let mut local = Local {
+            scales,
+            jacobian: Vec::new(),
+            rows,
+            own,
+            residual: Vec::new(),
+            basis,
+            states: varied.states.clone(),
+            phase,
+            turning,
+            facts,
+        };
         let here = missed(&turned, y, &local);
         let by_parameter = self.slope(y, &here, &local)?;
         local.jacobian = jacobian(&varied, &local, &by_parameter);

@@ -303,7 +303,8 @@ impl Zeros for Rests<'_> {
         }
         let rows = states.iter().map(|&i| self.felt[if i < n { n + i } else { i }] / scales[i]).collect();
         let scales = scales.into_iter().chain([self.range]).collect();
-        let mut local = Local { scales, jacobian, rows, residual: Vec::new(), basis, states, phase: None, facts };
+        let mut local =
+            Local { scales, jacobian, rows, own: Vec::new(), residual: Vec::new(), basis, states, phase: None, turning: None, facts };
         let here = self.residual(y, &local)?;
         let mut beside = y.to_vec();
         beside[last] += STEP * self.range;

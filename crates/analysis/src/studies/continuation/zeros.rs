@@ -2,6 +2,7 @@
 
 use crate::studies::periodic::{Meeting, Multiplier};
 use crate::{Fault, Machine};
+use algebra::vectors::norm;
 
 /// A machine whose parameter can be given values.
 pub trait Family {
@@ -54,6 +55,8 @@ pub(super) struct Local {
     pub(super) jacobian: Vec<f64>,
     /// What each row is in other places, in scales: where rows vanish they are held against it. Empty where they are told by themselves.
     pub(super) rows: Vec<f64>,
+    /// Sizes of the unknowns in this motion alone, SI: beside a high peak the scales are those of the peak. Empty where they are the same.
+    pub(super) own: Vec<f64>,
     /// R there, in scales.
     pub(super) residual: Vec<f64>,
     /// Change of y by each direction, in scales.
@@ -62,7 +65,24 @@ pub(super) struct Local {
     pub(super) states: Vec<usize>,
     /// Phase of a free motion: rates and state at which the phase is fixed.
     pub(super) phase: Option<(Vec<f64>, Vec<f64>)>,
+    /// A motion that is nothing but steady turning: its turn in place of its phase.
+    pub(super) turning: Option<Turn>,
     pub(super) facts: Facts,
+}
+
+/// Steady turning by an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn {
+    /// State of the angle.
+    pub(super) angle: usize,
+    /// State of its rate.
+    pub(super) rate: usize,
+    /// Rate, rad/s.
+    pub(super) speed: f64,
+    /// Period, s.
+    pub(super) period: f64,
+    /// What the angle turns by in a period, rad.
+    pub(super) whole: f64,
 }
 
 impl Local {
@@ -71,9 +91,21 @@ impl Local {
         self.basis.len().saturating_sub(1)
     }
 
+    /// The largest change that local directions make of an unknown, in its size in this motion.
+    pub(super) fn change(&self, c: &[f64]) -> f64 {
+        if self.own.is_empty() {
+            return norm(c);
+        }
+        let of = |i: usize| c.iter().zip(&self.basis).map(|(c, b)| c * b[i]).sum::<f64>() * self.scales[i] / self.own[i];
+        (0..self.own.len()).map(|i| of(i).abs()).fold(0.0, f64::max)
+    }
+
     /// By how much the phase of a free motion is off at y, in scales; none of other motions.
     pub(super) fn phase_at(&self, y: &[f64]) -> Option<f64> {
         let (rates, x) = self.phase.as_ref()?;
+        if let Some(turn) = &self.turning {
+            return Some((y[turn.rate] * y[rates.len()] - turn.whole) / self.scales[turn.angle]);
+        }
         Some(rates.iter().zip(y.iter().zip(x)).zip(&self.scales).map(|((r, (y, x)), s)| r / s * ((y - x) / s)).sum())
     }
 }

@@ -45,6 +45,12 @@ const STRAIGHT: f64 = 0.5;
 const ROUNDED: f64 = 32.0 * f64::EPSILON;
 /// What is clear of rounding, in units of it. At a double zero s is then thirty times the distance that Newton's method leaves.
 const CLEAR: f64 = 1e3;
+/// How far beside a place its stiffness is asked, in units of what rounding leaves unknown of it.
+const UNSURE: f64 = 4.0;
+/// A stiffness is clear of its own rounding from so many times it on.
+const SEEN: f64 = 64.0;
+/// Displacements at which a weak stiffness makes nothing of the force but rounding.
+const BESIDE: [f64; 4] = [1e-10, 3e-10, 1e-9, 3e-9];
 /// Steps of the relaxation; each leaves a share like s.
 const STEPS: usize = 12;
 /// Share of the stiffness that loads without energy may have.
@@ -328,12 +334,47 @@ impl Around<'_> {
             !off(there, s) && !off(here, -s)
         };
         if !LOOKS.iter().all(|s| straight(self, *s)) {
-            return self.follow(j, MOST);
+            return if self.is_resolved(j) { Way::Plain } else { self.follow(j, MOST) };
         }
         // a place that is itself no more than what rounding leaves of a zero has no size of its own: at its own distance nothing is clear
         let unseen = |g: Option<[f64; 2]>| g.is_some_and(|[g, noise]| g.abs().max((stiffness * MOST).abs()) <= noise);
         let unit = self.directions[j].unit;
         if unit > 1.0 && [MOST, -MOST].iter().all(|s| unseen(self.gradient(j, *s))) { self.follow(j, MOST * unit) } else { Way::Plain }
+    }
+
+    /// Whether a stiffness, weak as it is beside what it is the sum of, is one: the same on both sides of the place as far off as rounding of the force leaves that unknown. Beside a double
+    /// zero it is of the other sign on the other side.
+    fn is_resolved(&mut self, j: usize) -> bool {
+        let stiffness = self.directions[j].stiffness;
+        let Some(here) = self.stiffness(j, 0.0) else { return false };
+        let [_, rounding] = self.machine.rounding();
+        let length = |v: &[f64]| v.iter().map(|v| v.abs()).sum::<f64>();
+        let d = &self.directions[j];
+        if here.abs() <= SEEN * rounding * length(&d.shape) * length(&d.against) {
+            return false;
+        }
+        // what forces err by is seen where the stiffness makes nothing of them
+        let errs =
+            BESIDE.iter().flat_map(|s| [*s, -*s]).map(|s| self.gradient(j, s).map_or(f64::INFINITY, |[g, _]| (g - stiffness * s).abs()));
+        let s = (UNSURE * errs.fold(0.0, f64::max) / stiffness.abs()).max(BESIDE[0]);
+        let mut same = |s: f64| self.stiffness(j, s).is_some_and(|there| (there - stiffness).abs() <= STRAIGHT * stiffness.abs());
+        s <= MOST && same(s) && same(-s)
+    }
+
+    /// The stiffness of a direction at a displacement by it.
+    fn stiffness(&mut self, j: usize, s: f64) -> Option<f64> {
+        let d = &self.directions[j];
+        let q: Vec<f64> = self.q.iter().zip(&d.shape).map(|(q, v)| q + s * v).collect();
+        let (shape, against) = (d.shape.clone(), d.against.clone());
+        let Slope { along, basis, .. } = Slope::at(self.machine, &q)?;
+        let k = along.n;
+        let own = |v: &[f64]| -> Option<Vec<f64>> {
+            let Some(z) = &basis else { return Some(v.to_vec()) };
+            let back = inverse(z, k)?;
+            Some((0..k).map(|c| back.chunks(k).zip(v).map(|(row, v)| row[c] * v).sum()).collect())
+        };
+        let (shape, against) = (own(&shape)?, own(&against)?);
+        Some((0..k * k).map(|p| against[p / k] * along.stiffness[p] * shape[p % k]).sum())
     }
 
     /// The force on both sides, from near the place on to a displacement.

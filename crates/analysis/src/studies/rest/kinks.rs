@@ -18,6 +18,8 @@ const LEFT: f64 = 0.5;
 /// Share of the largest entry by which matrices of both sides differ at a kink: those of a smooth force differ by about the share above.
 const APART: f64 = 1e-3;
 
+/// In units of the rounding of their entries: a difference that counts is far above it, see `APART`.
+const ROUNDINGS: f64 = 1e6;
 /// Rates forth and back, m/s or rad/s: far below those by which a law without a kink is rounded off.
 const SLOW: f64 = 1e-8;
 /// Share of the terms of a force below which a difference is rounding.
@@ -43,7 +45,12 @@ fn is_kink_of_places(machine: &mut LinearMachine, place: &Place) -> bool {
             };
             let (before, behind) = at(-step).zip(at(step))?;
             let pairs = [Some(&before), here.as_ref()].into_iter().flatten();
-            let differences = |m: &Matrices| [between(&m.stiffness, &behind.stiffness), between(&m.damping, &behind.damping)];
+            let [damping, stiffness] = machine.rounding();
+            // what differs by rounding alone has no size
+            let clear = |[far, size]: [f64; 2], rounding: f64| [far, size.max(ROUNDINGS * rounding)];
+            let differences = |m: &Matrices| {
+                [clear(between(&m.stiffness, &behind.stiffness), stiffness), clear(between(&m.damping, &behind.damping), damping)]
+            };
             Some(pairs.flat_map(differences).collect::<Vec<_>>())
         };
         let Some((far, near)) = apart(step).zip(apart(step / NEARER)) else { return false };

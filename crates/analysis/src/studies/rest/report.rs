@@ -254,7 +254,7 @@ fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fa
     }
     let all: Vec<crate::rest::system::Row> = rows.forces.iter().chain(&rows.places).cloned().collect();
     let residual = worst(&all, &z);
-    Ok(Ok((Place { q: q.to_vec(), reactions, closed, residual, below: Vec::new() }, notes)))
+    Ok(Ok((Place { q: q.to_vec(), reactions, closed, residual, below: Vec::new(), flat: None }, notes)))
 }
 
 fn between(name: &str, ends: [f64; 2], unit: &str) -> Text {
