@@ -21,6 +21,7 @@ mod diagram;
 mod ground;
 mod locate;
 mod mesh;
+mod normal;
 mod orbits;
 mod places;
 mod relay;
