@@ -187,8 +187,13 @@ impl<const K: usize> Patch<K> {
     fn at(&self, x: f64, y: f64) -> [f64; K] {
         let (by_x, by_y) = (chebyshev(share(x, self.x)), chebyshev(share(y, self.y)));
         std::array::from_fn(|k| {
-            let row = |c: &[f64]| c.iter().zip(&by_y).rev().map(|(c, t)| c * t).sum::<f64>();
-            self.coefficients[k].chunks_exact(NODES).zip(&by_x).rev().map(|(c, t)| t * row(c)).sum()
+            // all y-coefficients at once: sums that do not wait for one another
+            let mut row = [0.0; NODES];
+            for (t, c) in by_x.iter().zip(self.coefficients[k].chunks_exact(NODES)) {
+                row.iter_mut().zip(c).for_each(|(r, c)| *r += t * c);
+            }
+            // the smallest first
+            row.iter().zip(&by_y).rev().map(|(r, t)| r * t).sum()
         })
     }
 }

@@ -60,7 +60,6 @@ const EXPLANATIONS: &[Explanation] = &[
     studies::NO_NUMBER,
     crate::studies::transient::phase_error::PHASE,
     studies::LONG_WAY,
-    studies::NOT_AT_REST,
     studies::NO_SUCH_PERIOD,
     studies::NOT_TURNING,
     studies::PARTS,

@@ -367,6 +367,11 @@ pub trait System {
         Ok(())
     }
 
+    /// Whether connections may tie the states, now or in other modes.
+    fn is_tied(&self) -> bool {
+        false
+    }
+
     /// Margins worth asking for inside a step.
     fn margins(&self) -> usize {
         0

@@ -119,15 +119,15 @@ pub fn joints(frame: &Frame<f64>, assembly: &Assembly<f64>, statics: &Statics<f6
 const SEARCHED: usize = 80;
 
 /// The method of sections: for each rod a cut through at most three rods that separates the truss, if there is one.
-pub fn sections(frame: &Frame<f64>, assembly: &Assembly<f64>, statics: &Statics<f64>) -> Vec<Section> {
+pub fn sections(frame: &Frame<f64>, statics: &Statics<f64>) -> Vec<Section> {
     let n = frame.rods.len();
     if n > SEARCHED {
         return Vec::new();
     }
-    (0..n).filter_map(|rod| section(frame, assembly, statics, rod)).collect()
+    (0..n).filter_map(|rod| section(frame, statics, rod)).collect()
 }
 
-fn section(frame: &Frame<f64>, assembly: &Assembly<f64>, statics: &Statics<f64>, rod: usize) -> Option<Section> {
+fn section(frame: &Frame<f64>, statics: &Statics<f64>, rod: usize) -> Option<Section> {
     let n = frame.rods.len();
     for second in (0..n).filter(|i| *i != rod) {
         for third in (second + 1..n).filter(|i| *i != rod) {
@@ -137,7 +137,7 @@ fn section(frame: &Frame<f64>, assembly: &Assembly<f64>, statics: &Statics<f64>,
                 continue;
             }
             let about = meeting(frame, second, third);
-            let found = equation(frame, assembly, statics, (&cut, &nodes), about);
+            let found = equation(frame, statics, (&cut, &nodes), about);
             if found.is_some() {
                 return found;
             }
@@ -180,13 +180,7 @@ fn meeting(frame: &Frame<f64>, a: usize, b: usize) -> Option<[f64; 2]> {
     Some([p[0] + t * ux, p[1] + t * uy])
 }
 
-fn equation(
-    frame: &Frame<f64>,
-    assembly: &Assembly<f64>,
-    statics: &Statics<f64>,
-    (cut, nodes): (&[usize; 3], &[usize]),
-    about: Option<[f64; 2]>,
-) -> Option<Section> {
+fn equation(frame: &Frame<f64>, statics: &Statics<f64>, (cut, nodes): (&[usize; 3], &[usize]), about: Option<[f64; 2]>) -> Option<Section> {
     // coefficient of a force along x (k = 0) or y at a place
     let across = {
         let [c, s] = frame.rods[cut[1]].direction;
@@ -219,7 +213,6 @@ fn equation(
     let sum: f64 = terms.iter().map(|t| t.coefficient * t.force).sum();
     let value = -sum / arm;
     debug_assert!(value.is_finite());
-    let _ = assembly;
     terms.push(Term { name: frame.rods[rod].name.clone(), coefficient: arm, force: value, unknown: true });
     Some(Section { rod, cut: cut.to_vec(), about, nodes: nodes.to_vec(), equation: terms, value })
 }

@@ -9,7 +9,7 @@ use crate::plan;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use crate::{Failure, provenance};
-use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
+use analysis::studies::periodic::{Aim, Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
 use mechanics::asked::{Asked, Key, Kind, Objection, Takes, Value as Taken, Words};
 use mechanics::model::{Plot, Times};
@@ -242,6 +242,11 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
             rest.get_or_insert(outcome);
         }
     }
+    // one that a turn magnifies beyond all digits comes back to none of its starts
+    let parts = sought(machine, (study, Aim::Parts), &start, watch);
+    if parts.fault.is_none() {
+        return parts;
+    }
     // a motion that never comes back says more than one that has not settled yet
     match rest {
         Some(rest) if first.fault.as_ref().is_some_and(|f| f.code == "S042") => rest,
@@ -285,6 +290,10 @@ pub(super) fn returns(study: &Periodic, equations: &symbolic::Equations) -> (Ret
 
 /// The regime found from a state.
 pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut Watch) -> Outcome {
+    sought(machine, (study, Aim::Whole), start, watch)
+}
+
+fn sought(machine: &mut Machine, (study, aim): (&Periodic, Aim), start: &[f64], watch: &mut Watch) -> Outcome {
     let formula = match study.section {
         Section::Zero(expr) => Some(of_state(&machine.equations, expr)),
         _ => None,
@@ -315,6 +324,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         pushes: &pushes,
         listener: Listener { interrupt: watch.interrupt, told: Some(&told) },
         coefficients: study.coefficients,
+        aim,
         longest: longest(study),
         ..Options::default()
     };
@@ -442,6 +452,8 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     }
     results.words.extend(least(regime));
     results.words.push(verdict(regime));
+    results.words.extend(in_parts(regime));
+    results.own.insert("parts".into(), json!(regime.pieces.max(1)));
     let family = one_of_a_family(regime);
     results.own.insert("one_of_a_family".into(), json!(family.is_some()));
     results.words.extend(family);
@@ -485,6 +497,17 @@ fn least(regime: &Regime) -> Option<Text> {
         Text::new(
             format!("Subharmonic regime: the forces repeat after {en} s, the motion only after {forces} such times."),
             format!("Субгармонический режим: силы повторяются через {ru} с, движение — лишь через {forces} таких промежутков."),
+        )
+    })
+}
+
+/// How a motion was found that no start leads back to.
+fn in_parts(regime: &Regime) -> Option<Text> {
+    let n = regime.pieces;
+    (n > 1).then(|| {
+        Text::new(
+            format!("A period magnifies small changes of the start beyond all digits, so that no start alone leads back to itself (shooting): the motion was found in {n} parts, whose starts were sought together (multiple shooting)."),
+            format!("За период малые изменения начала вырастают больше, чем позволяет разрядность чисел, и одно начальное состояние к себе не возвращается (стрельба невозможна): движение найдено по участкам, начала которых ищутся совместно (параллельная стрельба); участков: {n}."),
         )
     })
 }

@@ -397,6 +397,10 @@ impl System for Machine {
         }
     }
 
+    fn is_tied(&self) -> bool {
+        self.conditions.is_some()
+    }
+
     fn margins(&self) -> usize {
         self.conditions.as_ref().map_or(0, Conditions::margins)
     }

@@ -47,15 +47,6 @@ pub(crate) const NO_PASSAGE: Explanation = plain(
     ),
 );
 
-pub(crate) const NOT_AT_REST: Explanation = plain(
-    "S040",
-    ("not at rest", "не в покое"),
-    (
-        "The study `statics` finds reactions at rest in the start position. Here the loads are not balanced: the machine is a mechanism and would begin to move along the direction that the message names. Add a support, or start from its equilibrium.",
-        "Расчёт `statics` находит реакции покоя в начальном положении. Здесь нагрузки не уравновешены: это механизм, и он начал бы двигаться в направлении, названном в сообщении. Добавьте опору или начните с положения равновесия.",
-    ),
-);
-
 pub(crate) const NO_SUCH_PERIOD: Explanation = plain(
     "S045",
     ("no value gives the wanted period", "нужный период недостижим"),

@@ -98,8 +98,7 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
     };
     let displacements = frame.displacements.iter().map(value).collect();
     let truss = is_truss(&frame);
-    let (joints, sections) =
-        if truss { (joints(&frame, &assembly, &state), sections(&frame, &assembly, &state)) } else { (Vec::new(), Vec::new()) };
+    let (joints, sections) = if truss { (joints(&frame, &assembly, &state), sections(&frame, &state)) } else { (Vec::new(), Vec::new()) };
     let mut dataset = dataset(&diagrams, &standing);
     let balance = balance(&frame, &state);
     dataset.audits.extend(balance.audits());

@@ -25,6 +25,10 @@ pub(super) fn name(what: What) -> Text {
             "Bogdanov-Takens point: the frequency falls to zero, two roots are 0",
             "точка Богданова — Такенса: частота обращается в нуль, два корня равны 0",
         ),
+        What::Bautin => Text::new(
+            "generalised Hopf point (Bautin): the motions that part change from stable to unstable ones",
+            "точка Баутина (вырожденная бифуркация Хопфа): отходящие движения из устойчивых становятся неустойчивыми",
+        ),
         What::Resonance(order) => resonance(order),
     }
 }

@@ -25,9 +25,7 @@ pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diag
         .own
         .insert("parameter".into(), json!({"name": study.name, "unit": unit(machine, &study.name), "from": study.from, "to": study.to}));
     results.own.insert("branches".into(), diagram.curves.iter().enumerate().flat_map(|(k, curve)| pieces(machine, k, curve)).collect());
-    results
-        .own
-        .insert("special".into(), diagram.special.iter().map(|(branch, _, special)| special_to_json(machine, *branch, special)).collect());
+    results.own.insert("special".into(), diagram.special.iter().map(|special| special_to_json(machine, diagram, special)).collect());
     results.own.insert("curves".into(), diagram.curves.iter().map(|curve| curve_to_json(machine, curve)).collect());
     results.own.insert("work".into(), json!({"turns": diagram.work.turns, "variations": diagram.work.variations}));
     for (k, (_, _, special)) in diagram.special.iter().enumerate() {
@@ -257,9 +255,16 @@ fn point(machine: &Machine, place: &Place) -> Value {
     Value::Object(fields)
 }
 
-fn special_to_json(machine: &Machine, branch: usize, special: &Special) -> Value {
+fn special_to_json(machine: &Machine, diagram: &Diagram, (branch, behind, special): &(usize, usize, Special)) -> Value {
     let mut value = point(machine, &special.place);
+    let places = diagram.curves.get(*branch).map(|curve| &curve.places[..]).unwrap_or_default();
+    let side = |k: Option<usize>| k.and_then(|k| places.get(k)).and_then(|place| place.facts().stable);
+    let sides = [side(behind.checked_sub(1)), side(Some(*behind))];
     if let Some(fields) = value.as_object_mut() {
+        // at the point itself a multiplier decides nothing: unstable is what is so on both sides
+        let unstable = sides == [Some(false); 2];
+        fields.insert("stable".into(), if unstable { json!(false) } else { Value::Null });
+        fields.insert("sides".into(), json!(sides));
         fields.insert("kind".into(), json!(special.what.key()));
         fields.insert("curve".into(), json!(branch));
         fields.insert("within".into(), json!(special.within));

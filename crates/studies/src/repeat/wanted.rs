@@ -61,10 +61,10 @@ pub fn noted(machine: &Machine, observe: &[String], of: Option<&str>) -> Result<
     Ok(found)
 }
 
-/// A number among the named ones of a study: `start.x` and `range.x.1` have the unit of x.
+/// A number among the named ones of a study: `start.x`, `gain.x` and `range.x.1` have the unit of x.
 fn of_field(name: &str, outputs: &[Output]) -> Quantity {
     let steps: Vec<&str> = name.split('.').collect();
-    let of_output = steps.windows(2).filter(|pair| ["start", "range"].contains(&pair[0]));
+    let of_output = steps.windows(2).filter(|pair| ["start", "gain", "range"].contains(&pair[0]));
     let output = of_output.filter_map(|pair| outputs.iter().find(|output| output.name == pair[1])).next();
     output.map_or_else(
         || Quantity::new(name, "1"),

@@ -118,7 +118,6 @@ impl Collocation {
 
     /// A step of length h.
     pub(crate) fn attempt<S: System + ?Sized>(&mut self, system: &mut S, base: &Base<'_>, h: f64) -> Verdict {
-        self.counts.attempts += 1;
         self.predict(h);
         match self.linearise(system, base, h) {
             Ok(Jacobian::Given) => {}

@@ -23,8 +23,6 @@ impl Base<'_> {
 /// Work of the implicit method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Attempts at a step.
-    pub attempts: u64,
     /// Jacobians.
     pub jacobians: u64,
     /// Factorisations of a matrix of the size of the state.

@@ -193,6 +193,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.low.copy_from_slice(low);
     }
 
+    /// Counts on from the work of another motion.
+    pub(crate) fn count_from(&mut self, work: Work) {
+        self.work = work;
+    }
     /// Work done.
     pub fn work(&self) -> &Work {
         &self.work

@@ -13,19 +13,16 @@ use super::corrector;
 use super::ground::{Ground, not_the_period, not_the_turn};
 use super::mesh::{self, Gauss, Interval, Passed};
 use super::zeros::{Facts, Finer, Local, Place, Sort, Zeros};
-use crate::studies::periodic::{Multiplier, Passage};
+use crate::studies::periodic::{Multiplier, Passage, name_shift, named};
 use crate::studies::stability::{Verdict, verdict};
 use crate::{Fault, Mode, System};
-use algebra::product::{self, Factor, Spread};
-use algebra::{complex, elementary};
+use algebra::product::{self, Factor};
 use words::{Message, Text};
 
 /// Step of the parameter for derivatives, as a share of its range: half of the digits of an interval.
 const STEP: f64 = 1e-7;
 /// Most unknowns: their equations are solved as one dense system.
 const LARGEST: usize = 900;
-/// ln of a magnitude that is no number any more.
-const BEYOND: f64 = 700.0;
 /// A defect above this asks for a new mesh: points are refused from a hundred times of it on.
 const ROUGH: f64 = 1e-11;
 
@@ -229,25 +226,6 @@ impl<'a, 'o> Collocation<'a, 'o> {
             intervals: Some(count),
             ..Facts::default()
         })
-    }
-}
-
-/// A multiplier with its error.
-fn named(spread: &Spread) -> Multiplier {
-    let size = spread.log_abs();
-    if size.abs() >= BEYOND {
-        // a direction that is taken away has 0 exactly
-        return Multiplier { log_abs: Some(size).filter(|size| size.is_finite()), ..Multiplier::default() };
-    }
-    let z = spread.z.scale(elementary::exp(size) / complex::abs(spread.z));
-    Multiplier { re: z.re, im: z.im, error: spread.error * complex::abs(z), ..Multiplier::default() }
-}
-
-/// Of a free motion the multiplier that is nearest to 1 belongs to the shift along it.
-fn name_shift(list: &mut [Multiplier]) {
-    let off = |m: &Multiplier| if m.log_abs.is_some() { f64::INFINITY } else { elementary::hypot(m.re - 1.0, m.im) };
-    if let Some(shift) = list.iter_mut().min_by(|a, b| off(a).total_cmp(&off(b))) {
-        shift.trivial = true;
     }
 }
 

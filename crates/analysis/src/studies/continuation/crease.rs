@@ -54,7 +54,7 @@ fn one(zeros: &mut dyn Zeros, special: &Special, (options, second): (&Options<'_
         let mut turning = Turning::new(zeros, special.what, range);
         let direction: Vec<f64> = (0..=last).map(|i| if i == last { sign * range } else { 0.0 }).collect();
         let start = corrector::place(&mut turning, y.clone(), &direction).ok().flatten()?;
-        let mut curve = walk(&mut turning, start, bounds, &|point| meets(point.what));
+        let mut curve = walk(&mut turning, start, bounds, &|point| special.what != What::Fold && meets(point.what));
         if let (Some(End::Joins), Some((_, point))) = (&curve.ends[1], curve.special.last()) {
             let (what, place) = (point.what, point.place.clone());
             if let Some(end) = curve.places.last_mut() {

@@ -29,6 +29,8 @@ pub enum What {
     Turn,
     /// The frequency on a curve of Hopf points falls to 0: two roots are 0 there.
     BogdanovTakens,
+    /// On a curve of Hopf points the first Lyapunov coefficient is 0: motions that part there are stable on one side of it and unstable on the other.
+    Bautin,
     /// On a curve of torus points the pair is a root of 1 of this order, up to the fourth (strong resonance).
     Resonance(usize),
 }
@@ -46,6 +48,7 @@ impl What {
             What::Cusp => "cusp",
             What::Turn => "turn",
             What::BogdanovTakens => "bogdanov-takens",
+            What::Bautin => "generalised hopf",
             What::Resonance(1) => "resonance 1:1",
             What::Resonance(2) => "resonance 1:2",
             What::Resonance(3) => "resonance 1:3",
@@ -90,6 +93,10 @@ pub(super) enum Test {
     Count,
     /// ω² of a pair of roots.
     Frequency,
+    /// The first Lyapunov coefficient.
+    Lyapunov,
+    /// The product of the roots beside the 0 of a fold.
+    Rest,
     /// The cosine of a pair of multipliers less that of the root of 1 of this order.
     Angle(usize),
 }
@@ -117,6 +124,11 @@ const COSINES: [f64; 4] = [1.0, -1.0, -0.5, 0.0];
 
 /// What is told of the pair of a curve of Hopf or torus points.
 fn turned(place: &Place, test: Test) -> Option<f64> {
+    match test {
+        Test::Lyapunov => return place.local.facts.lyapunov,
+        Test::Rest => return place.local.facts.rest,
+        _ => {}
+    }
     let (sort, value) = place.local.facts.pair?;
     match (test, sort) {
         (Test::Frequency, Sort::Roots) => Some(value),
@@ -145,8 +157,10 @@ pub(super) fn flagged(a: &Place, b: &Place) -> Vec<Test> {
     if both(s.pair, t.pair) && !(s.paired && t.paired) {
         list.push(Test::Pair);
     }
-    let pairs = [Test::Frequency].into_iter().chain((1..=4).map(Test::Angle));
-    list.extend(pairs.filter(|test| both(turned(a, *test), turned(b, *test))));
+    let pairs = [Test::Frequency, Test::Lyapunov, Test::Rest].into_iter().chain((1..=4).map(Test::Angle));
+    // without damping roots come in opposite pairs, and what is beside the 0 of a fold is rounding all along
+    let rounding = |test: &Test| *test == Test::Rest && turned(a, *test).zip(turned(b, *test)).is_some_and(|(x, y)| (x - y).abs() <= LEVEL);
+    list.extend(pairs.filter(|test| both(turned(a, *test), turned(b, *test)) && !rounding(test)));
     if a.local.facts.switches != b.local.facts.switches {
         list.push(Test::Switches);
     }
@@ -267,7 +281,7 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Branch => place.signs.branch,
         Test::Doubling => place.signs.doubling.unwrap_or(f64::NAN),
         Test::Pair => place.signs.pair.unwrap_or(f64::NAN),
-        Test::Frequency | Test::Angle(_) => turned(place, test).unwrap_or(f64::NAN),
+        Test::Frequency | Test::Lyapunov | Test::Rest | Test::Angle(_) => turned(place, test).unwrap_or(f64::NAN),
         // located by itself
         Test::Switches => f64::NAN,
         Test::Count => {
@@ -298,7 +312,8 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Pair if !leaves_as_pair(&numbers, sort) => return Ok(None),
         Test::Pair => of_pair(sort),
         Test::Count => of_count(&place, sort),
-        Test::Frequency => What::BogdanovTakens,
+        Test::Frequency | Test::Rest => What::BogdanovTakens,
+        Test::Lyapunov => What::Bautin,
         Test::Angle(order) => What::Resonance(order),
     };
     Ok(Some(Located { share: 0.5 * (low + high), special: Special { what, within, place } }))

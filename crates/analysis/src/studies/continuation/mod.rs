@@ -22,6 +22,7 @@ mod ground;
 mod locate;
 mod mesh;
 mod neutral;
+mod normal;
 mod orbits;
 mod places;
 mod relay;

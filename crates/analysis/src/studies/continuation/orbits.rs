@@ -121,6 +121,9 @@ impl<'o> Orbits<'_, 'o> {
     fn seated(&mut self, y: &[f64]) -> Result<Vec<f64>, Fault> {
         let n = self.shooting.scales().len();
         let mut y = y.to_vec();
+        if !self.shooting.is_tied() {
+            return Ok(y);
+        }
         let (machine, _) = self.family.at(y[y.len() - 1])?;
         let assembled = machine.start()?;
         self.shooting.seat(machine, &mut y[..n], &assembled)?;
@@ -130,6 +133,9 @@ impl<'o> Orbits<'_, 'o> {
     /// How the start keeps to the conditions where the parameter changes: change of the unknowns over its range, SI.
     fn by_parameter(&mut self, y: &[f64]) -> Result<Vec<f64>, Fault> {
         let (last, step) = (y.len() - 1, STEP * self.range);
+        if !self.shooting.is_tied() {
+            return Ok((0..=last).map(|i| if i == last { self.range } else { 0.0 }).collect());
+        }
         let mut ends = [y.to_vec(), y.to_vec()];
         for (end, step) in ends.iter_mut().zip([-step, step]) {
             end[last] += step;

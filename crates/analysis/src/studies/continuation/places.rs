@@ -4,6 +4,7 @@
 //! R(q, s, p) = (q'', s')(q, q' = 0, s; p),      J = ∂R/∂(q, s),      stability: roots of x' = A x on what the connections leave free
 //! ```
 
+use super::normal;
 use super::zeros::{Facts, Family, Local, Sort, Zeros};
 use crate::studies::periodic::{Multiplier, tangent_of};
 use crate::{Fault, GuardKind, Machine, Mode, System};
@@ -335,6 +336,23 @@ impl Zeros for Rests<'_> {
 
     fn switches(&mut self, _: &[f64]) -> Option<Vec<usize>> {
         None
+    }
+
+    fn lyapunov(&mut self, y: &[f64]) -> Option<f64> {
+        let (last, clocks) = (y.len() - 1, self.clocks.is_empty());
+        let (machine, _) = self.family.at(y[last]).ok()?;
+        if machine.is_tied() || !clocks {
+            return None;
+        }
+        let (x, scales) = (&y[..last], scales(machine, &self.sizes));
+        let modes = modes(machine, x);
+        let (mut rows, width) = (Vec::new(), last + 1);
+        machine.slopes(0.0, x, &modes, &mut rows).ok()?;
+        let a: Vec<f64> = (0..last * last).map(|e| rows[e / last * width + e % last] * scales[e % last] / scales[e / last]).collect();
+        normal::lyapunov(last, &a, &mut |z| {
+            let there: Vec<f64> = x.iter().zip(z).zip(&scales).map(|((x, z), s)| x + z * s).collect();
+            Some(rates(machine, &there).ok()?.iter().zip(&scales).map(|(r, s)| r / s).collect())
+        })
     }
 
     fn hold(&mut self, second: f64) {

@@ -15,7 +15,8 @@
 use super::locate::What;
 use super::zeros::{Local, Sort, Zeros};
 use crate::Fault;
-use algebra::complex::Complex;
+use crate::studies::periodic::Multiplier;
+use algebra::complex::{self, Complex};
 use algebra::lu::Lu;
 use algebra::vectors::norm;
 use words::{Message, Text};
@@ -33,7 +34,7 @@ pub(super) struct Turning<'z> {
     range: f64,
     /// b and c.
     border: Option<[Vec<f64>; 2]>,
-    /// What told the pair at the last point, and the frequency at the first one.
+    /// What told the pair at the last point, and the frequency at the first one; of a fold the largest root there.
     pair: Option<(f64, f64)>,
 }
 
@@ -117,6 +118,16 @@ impl<'z> Turning<'z> {
         found.map(|found| found.g).ok_or_else(no_border)
     }
 
+    /// The product of all roots but the one that is 0 at a fold, as a share of the power of the largest at the first point: the second coefficient of the characteristic equation, which vanishes
+    /// where two roots are 0.
+    fn beside_zero(&mut self, roots: &[Multiplier]) -> Option<f64> {
+        let list: Vec<Complex> = roots.iter().map(|m| Complex::new(m.re, m.im)).collect();
+        let largest = list.iter().map(|z| complex::abs(*z)).fold(0.0, f64::max);
+        let size = self.pair.get_or_insert((0.0, largest)).1;
+        let without = |k: usize| list.iter().enumerate().filter(|(i, _)| *i != k).map(|(_, z)| z / size).product::<Complex>();
+        (list.len() > 1).then(|| (0..list.len()).map(without).sum::<Complex>().re)
+    }
+
     /// The equations of the branch at y, whose last unknown is the second parameter, with the same free directions as another place.
     fn beside(&mut self, y: &[f64], near: &Local) -> Result<Local, Fault> {
         let last = y.len() - 1;
@@ -194,6 +205,11 @@ impl Zeros for Turning<'_> {
         self.inner.hold(y[last]);
         let mut local = self.inner.local(&y[..last])?;
         let g = self.test(&mut local)?;
+        match (self.what, self.inner.sort()) {
+            (What::Hopf, Sort::Roots) => local.facts.lyapunov = self.inner.lyapunov(&y[..last]),
+            (What::Fold, Sort::Roots) => local.facts.rest = self.beside_zero(local.facts.multipliers.as_deref().unwrap_or_default()),
+            _ => {}
+        }
         let (m, k) = (local.rows(), local.basis.len());
         let mut slopes = Vec::with_capacity(k + 1);
         for j in 0..k {

@@ -40,6 +40,10 @@ pub struct Facts {
     pub liouville: f64,
     /// On a curve of Hopf or torus points what tells the pair: ω² as a share of its first value, or the cosine of its angle.
     pub(super) pair: Option<(Sort, f64)>,
+    /// On a curve of Hopf points the first Lyapunov coefficient.
+    pub lyapunov: Option<f64>,
+    /// On a curve of folds of places of rest the product of the roots that are not 0, as a share of what it may be.
+    pub(super) rest: Option<f64>,
     /// Number of intervals of the mesh where it was found by collocation; none of other points.
     pub intervals: Option<usize>,
     /// By how much the motion from the beginning of an interval misses the next one, in scales; of collocation.
@@ -144,6 +148,12 @@ pub(super) trait Zeros {
     /// The same by finer equations, where they do for the motion at a point; with their unknowns there.
     fn finer(&mut self, place: &Place) -> Option<(Box<dyn Finer + '_>, Place)> {
         let _ = place;
+        None
+    }
+
+    /// The first Lyapunov coefficient of a place of rest at which a pair of roots is on the axis.
+    fn lyapunov(&mut self, y: &[f64]) -> Option<f64> {
+        let _ = y;
         None
     }
 

@@ -17,6 +17,7 @@ mod faults;
 mod found;
 mod fundamental;
 mod listener;
+mod multiple;
 mod newton;
 mod options;
 mod orbit;
@@ -34,9 +35,10 @@ mod verdict;
 pub use faults::section_of_forced;
 pub(in crate::studies) use fundamental::Meeting;
 pub use listener::{Listener, Stage};
-pub use options::{Formula, Multiplier, Periodic, Return};
+pub use options::{Aim, Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};
 pub(in crate::studies) use shooting::{Passage, Shooting, Turned, Varied, tangent_of};
+pub(in crate::studies) use spectrum::{name_shift, named};
 pub(in crate::studies) use variation::CORRECTS;
 pub use verdict::NEUTRAL;
 
@@ -73,6 +75,8 @@ pub struct Regime {
     pub dataset: Dataset,
     /// ∂f/∂x at the instants that are asked for, row by row, SI; none where connections tie the states, or the motion switches.
     pub coefficients: Vec<Vec<f64>>,
+    /// In how many parts the turn was sought: 1 unless it magnifies its start beyond all digits.
+    pub pieces: usize,
     /// The states that have to come back, to which the multipliers belong: no translations, nothing that follows by connections.
     pub returning: Vec<usize>,
 }
@@ -107,10 +111,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     if system.states().is_empty() {
         return Err(nothing_moves());
     }
-    let mut found = returned(system, start, options)?;
-    if let Some(begin) = options.begin {
-        found = begun(system, found, begin, options)?;
-    }
+    let (found, parts) = sought(system, start, options)?;
     let plan = simulate::Simulate {
         grid: options.grid.clone(),
         outputs: options.outputs.clone(),
@@ -118,6 +119,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         tolerance: options.tolerance,
         interrupt: options.listener.interrupt,
         seed: options.seed,
+        joints: parts.as_ref().map_or_else(Vec::new, |parts| parts.joints.clone()),
         ..simulate::Simulate::until(found.orbit.period)
     };
     let run = simulate::simulate(system, &found.orbit.first, plan);
@@ -132,7 +134,12 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         return Err(unsettled(closure.value, newton::TURNS));
     }
     dataset.audits.insert(0, closure);
-    let multipliers = if closes { multipliers(system, &found, options, &mut dataset)? } else { None };
+    let pieces = parts.as_ref().map_or(1, |parts| parts.joints.len() + 1);
+    let multipliers = match parts {
+        Some(parts) => Some(of_parts(parts, &mut dataset)),
+        None if closes => multipliers(system, &found, options, &mut dataset)?,
+        None => None,
+    };
     if found.shrunk && multipliers.as_deref().is_some_and(rest::fades) {
         return Err(rest::at_rest());
     }
@@ -154,8 +161,50 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         forces,
         dataset,
         coefficients,
+        pieces,
         returning,
     })
+}
+
+/// The turn, with its parts where they are asked for.
+fn sought<'o, S: System + ?Sized>(
+    system: &mut S,
+    start: &[f64],
+    options: &Periodic<'o>,
+) -> Result<(Found<'o>, Option<multiple::Parts>), Fault> {
+    match (options.aim, options.begin) {
+        (Aim::Parts, None) => {
+            let (found, parts) = multiple::solve(system, start, options)?.ok_or_else(|| unsettled(1.0, 0))?;
+            Ok((found, Some(parts)))
+        }
+        // an instant of a formula may lie in any part
+        (Aim::Parts, Some(_)) => Err(unsettled(1.0, 0)),
+        (Aim::Whole, begin) => {
+            let found = returned(system, start, options)?;
+            Ok((if let Some(begin) = begin { begun(system, found, begin, options)? } else { found }, None))
+        }
+    }
+}
+
+/// The multipliers of a turn in parts, with its audits.
+fn of_parts(parts: multiple::Parts, dataset: &mut Dataset) -> Vec<Multiplier> {
+    let name = Text::new(
+        "the motion from the start of each part comes to that of the next one: largest relative miss",
+        "движение от начала каждого участка приходит в начало следующего: наибольшее относительное отклонение",
+    );
+    dataset.audits.insert(1, Audit::at_most("parts", name, parts.miss, newton::ENOUGH));
+    dataset.audits.insert(1, liouville(parts.liouville));
+    parts.multipliers
+}
+
+/// The audit of determinants.
+fn liouville(off: f64) -> Audit {
+    let name = Text::new(
+        "Liouville's formula: determinant of the variations against the divergence",
+        "формула Лиувилля: определитель решений в вариациях против дивергенции",
+    );
+    // determinant and divergence are integrated apart from one another to nine digits
+    Audit::at_most("liouville", name, off, 1e-8)
 }
 
 /// A turn that closes; a motion that repeats only after several returns is given them.
@@ -224,12 +273,7 @@ fn multipliers<S: System + ?Sized>(
         // integrals of a turn by differences of rates carry eight digits
         dataset.audits.insert(1, Audit::at_most("trivial_multiplier", name, off, 1e-7));
     }
-    let name = Text::new(
-        "Liouville's formula: determinant of the variations against the divergence",
-        "формула Лиувилля: определитель решений в вариациях против дивергенции",
-    );
-    // determinant and divergence are integrated apart from one another to nine digits
-    dataset.audits.insert(1, Audit::at_most("liouville", name, turn.liouville, 1e-8));
+    dataset.audits.insert(1, liouville(turn.liouville));
     Ok(Some(spectrum.multipliers))
 }
 

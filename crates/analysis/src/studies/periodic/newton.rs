@@ -23,30 +23,30 @@ const FAR: f64 = 0.3;
 /// A miss below this is rounding: a few units in the last place of a state of size 1.
 const EXACT: f64 = 2e-15;
 /// A miss above this is no return; the audit `closure` allows as much.
-const ENOUGH: f64 = 1e-10;
+pub(super) const ENOUGH: f64 = 1e-10;
 /// A far correction is kept where it leaves this share of the miss: the map of a linear machine is met at once.
 const AFFINE: f64 = 1e-3;
 /// Share of its scale by which a coordinate at rest may move within a turn.
 const RESTS: f64 = 1e-13;
 
 /// What the search knows before the first turn.
-struct Search<'s, 'o> {
-    options: &'s Periodic<'o>,
-    flow: Options,
-    scales: Vec<f64>,
-    symmetry: Symmetry,
+pub(super) struct Search<'s, 'o> {
+    pub(super) options: &'s Periodic<'o>,
+    pub(super) flow: Options,
+    pub(super) scales: Vec<f64>,
+    pub(super) symmetry: Symmetry,
     loose: Symmetry,
     /// Whole turns that the laws do not feel.
     turns: Turns,
     /// Velocities of the angles that turn with the forcing.
-    carried: Vec<f64>,
-    sections: Vec<Section>,
+    pub(super) carried: Vec<f64>,
+    pub(super) sections: Vec<Section>,
     /// State that defines the section; none for a given period.
-    state: Option<usize>,
+    pub(super) state: Option<usize>,
     /// Scales of the first turn.
     whole: Vec<f64>,
     /// Least scales.
-    floor: Vec<f64>,
+    pub(super) floor: Vec<f64>,
     /// Whether the motion is far smaller than in the first turn.
     shrunk: bool,
     name: Text,
@@ -54,15 +54,12 @@ struct Search<'s, 'o> {
 
 /// From a start to a turn that closes.
 pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
-    let flow = Options { tolerance: options.tolerance, ..Options::default() };
-    let (trial, floor) = trial(system, start, options, &flow)?;
+    let (slow, tried) = opened(system, start, options)?;
     if interrupted(options) {
         return Err(unsettled(1.0, 0));
     }
-    let longest = options.longest.max(patience(&trial, options));
-    let slow = Periodic { longest, by: options.by.clone(), grid: Grid::Auto, outputs: None, ..*options };
     let options = &slow;
-    let (mut search, x) = prepare(system, start, (trial, floor), options, flow)?;
+    let (mut search, x) = prepare(system, start, tried, options)?;
     if search.state.is_none()
         && let Some(found) = at_once(system, &mut search, &x)?
     {
@@ -79,6 +76,21 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         Some((miss, _)) => Err(unsettled(miss, TURNS)),
         None => Err(unsettled(1.0, 0)),
     }
+}
+
+/// A trial run with the least scales, and the options with the time for which a motion as slow as it is followed.
+pub(super) fn opened<'o, S: System + ?Sized>(
+    system: &mut S,
+    start: &[f64],
+    options: &Periodic<'o>,
+) -> Result<(Periodic<'o>, (Orbit, Vec<f64>)), Fault> {
+    let (trial, floor) = trial(system, start, options, &flow(options))?;
+    let longest = options.longest.max(patience(&trial, options));
+    Ok((Periodic { longest, by: options.by.clone(), grid: Grid::Auto, outputs: None, ..*options }, (trial, floor)))
+}
+
+fn flow(options: &Periodic<'_>) -> Options {
+    Options { tolerance: options.tolerance, ..Options::default() }
 }
 
 /// The turns that a search has tried.
@@ -430,17 +442,16 @@ pub(super) fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Optio
     out
 }
 
-fn prepare<'s, 'o, S: System + ?Sized>(
+pub(super) fn prepare<'s, 'o, S: System + ?Sized>(
     system: &mut S,
     start: &[f64],
     (mut trial, floor): (Orbit, Vec<f64>),
     options: &'s Periodic<'o>,
-    flow: Options,
 ) -> Result<(Search<'s, 'o>, Vec<f64>), Fault> {
     let elapsed = trial.period;
     // about a radian a step
     trial.period = elapsed.min(6.0 * elapsed / trial.steps.len().max(1) as f64).max(f64::MIN_POSITIVE);
-    let (mut search, named) = begin(system, (&trial, floor), options, flow)?;
+    let (mut search, named) = begin(system, (&trial, floor), options, flow(options))?;
     let mut x = trial.first.clone();
     if let (Some(frame), true) = (&search.symmetry.frame, options.settle > 0.0) {
         // the same motion at t = 0
@@ -661,7 +672,7 @@ impl<'o> Search<'_, 'o> {
         }
     }
 
-    fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found<'o>, Fault> {
+    pub(super) fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found<'o>, Fault> {
         let (free, basis) = tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.scales, self.state, &self.symmetry)?;
         Ok(Found {
             orbit,

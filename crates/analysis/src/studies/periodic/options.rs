@@ -19,6 +19,16 @@ pub enum Return {
     Period(f64),
 }
 
+/// With how many starts a turn is sought.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Aim {
+    /// One.
+    #[default]
+    Whole,
+    /// Those of many parts together, where a turn magnifies one beyond all digits.
+    Parts,
+}
+
 /// A formula of time and state.
 pub type Formula<'a> = &'a dyn Fn(f64, &[f64]) -> f64;
 
@@ -48,6 +58,8 @@ pub struct Periodic<'a> {
     pub seed: u64,
     /// At how many equally spaced instants of the period the coefficients of the variational equations are wanted.
     pub coefficients: usize,
+    /// With how many starts it is sought.
+    pub aim: Aim,
 }
 
 impl Default for Periodic<'_> {
@@ -66,6 +78,7 @@ impl Default for Periodic<'_> {
             listener: Listener::default(),
             seed: 1,
             coefficients: 0,
+            aim: Aim::Whole,
         }
     }
 }

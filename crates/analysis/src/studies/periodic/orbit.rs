@@ -24,6 +24,13 @@ pub(super) enum Section {
     Time(f64),
 }
 
+impl Section {
+    /// The time after which it is.
+    pub(super) fn time(self) -> Option<f64> {
+        if let Section::Time(time) = self { Some(time) } else { None }
+    }
+}
+
 /// A switch: the state on both sides of it.
 #[derive(Clone, Debug)]
 pub(super) struct Jump {

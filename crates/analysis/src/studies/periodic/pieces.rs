@@ -49,28 +49,7 @@ pub(in crate::studies) fn piece<S: System + ?Sized>(
     options: &Options,
     (look, listener): (Look, Listener<'_>),
 ) -> Result<Piece, Fault> {
-    let mut flow = Flow::start(system, t, x, options)?;
-    let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
-    while !flow.reached(until) && orbit.steps.len() < LONGEST {
-        flow.advance(until)?;
-        let step = flow.step().clone();
-        let mut before = vec![0.0; x.len()];
-        step.state_at(step.end().high, &mut before);
-        let modes = [step.modes.clone(), flow.modes().to_vec()];
-        orbit.steps.push(step);
-        if flow.switches().is_empty() {
-            // a piece does not end in a switch, where the next one could not tell what has happened already
-            if orbit.steps.len() >= STEPS {
-                break;
-            }
-            continue;
-        }
-        let (t, switches, then) = (flow.time(), flow.switches().to_vec(), flow.state().to_vec());
-        orbit.jumps.push(Jump { after: orbit.steps.len() - 1, t, before, then, modes, switches });
-    }
-    (orbit.last, orbit.modes[1]) = (flow.state().to_vec(), flow.modes().to_vec());
-    let end = flow.time();
-    orbit.period = end - t;
+    let (orbit, end) = way(system, (t, x), until, options, STEPS)?;
     let mut scales = newton::scales(system, &orbit, None, &[]);
     // what has died out has no size of its own any more, and beside its last digits nothing can be told
     let largest = scales.iter().copied().fold(0.0, f64::max);
@@ -82,6 +61,41 @@ pub(in crate::studies) fn piece<S: System + ?Sized>(
     }
     let Orbit { last, modes: [modes, _], jumps, .. } = orbit;
     Ok(Piece { switches: !jumps.is_empty(), end: (end, last), matrix: found.matrix.values, scales, modes, liouville: found.liouville })
+}
+
+/// The motion from (t, x) to `until`, or over so many steps, and when it ends.
+///
+/// *Errors*: those of a motion.
+pub(super) fn way<S: System + ?Sized>(
+    system: &mut S,
+    (t, x): (f64, &[f64]),
+    until: f64,
+    options: &Options,
+    steps: usize,
+) -> Result<(Orbit, f64), Fault> {
+    let mut flow = Flow::start(system, t, x, options)?;
+    let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
+    while !flow.reached(until) && orbit.steps.len() < LONGEST.max(steps) {
+        flow.advance(until)?;
+        let step = flow.step().clone();
+        let mut before = vec![0.0; x.len()];
+        step.state_at(step.end().high, &mut before);
+        let modes = [step.modes.clone(), flow.modes().to_vec()];
+        orbit.steps.push(step);
+        if flow.switches().is_empty() {
+            // a piece does not end in a switch, where the next one could not tell what has happened already
+            if orbit.steps.len() >= steps {
+                break;
+            }
+            continue;
+        }
+        let (t, switches, then) = (flow.time(), flow.switches().to_vec(), flow.state().to_vec());
+        orbit.jumps.push(Jump { after: orbit.steps.len() - 1, t, before, then, modes, switches });
+    }
+    (orbit.last, orbit.modes[1]) = (flow.state().to_vec(), flow.modes().to_vec());
+    let end = flow.time();
+    orbit.period = end - t;
+    Ok((orbit, end))
 }
 
 /// Share of the largest size of a state below which a state has none: far above the numbers that lose their digits, far below all that others feel.

@@ -22,6 +22,8 @@ pub(in crate::studies) struct Shooting<'o> {
     seed: u64,
     /// Whole turns of the states at the start since the machine was assembled.
     wound: Vec<f64>,
+    /// Whether conditions of connections tie the states.
+    tied: bool,
 }
 
 /// A turn of given length.
@@ -53,7 +55,7 @@ impl<'o> Shooting<'o> {
         let found = newton::solve(system, start, options)?;
         let flow = Options { tolerance: options.tolerance, span: found.orbit.period, ..Options::default() };
         let wound = vec![0.0; start.len()];
-        Ok(Shooting { found, flow, seed: options.seed, wound })
+        Ok(Shooting { found, flow, seed: options.seed, wound, tied: system.is_tied() })
     }
 
     /// Counts conditions on rates from this state, as which the machine was assembled; between it and the regime are whole turns, or what stays as it is.
@@ -97,12 +99,17 @@ impl<'o> Shooting<'o> {
             listener: options.listener,
         };
         let wound = vec![0.0; x.len()];
-        Ok(Shooting { found, flow, seed: options.seed, wound })
+        Ok(Shooting { found, flow, seed: options.seed, wound, tied: system.is_tied() })
     }
 
     /// State at the start and period.
     pub(in crate::studies) fn regime(&self) -> (&[f64], f64) {
         (&self.found.orbit.first, self.found.orbit.period)
+    }
+
+    /// Whether conditions of connections tie the states.
+    pub(in crate::studies) fn is_tied(&self) -> bool {
+        self.tied
     }
 
     /// Whether time occurs in the equations.

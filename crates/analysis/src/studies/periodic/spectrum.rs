@@ -17,6 +17,7 @@ use crate::Fault;
 use algebra::complex::{self, Complex};
 use algebra::eigen::general;
 use algebra::elementary;
+use algebra::product::Spread;
 use algebra::random::Random;
 
 /// What is known of a turn, on the states that have to come back, in their scales.
@@ -128,5 +129,27 @@ fn name_smallest(multipliers: &mut [Multiplier], turn: &Turn) {
         (m.re, m.im) = (0.0, 0.0);
         m.error = if alone && turn.loses_one { 0.0 } else { m.error };
         m.log_abs = turn.log_determinant.filter(|_| alone).map(|whole| whole - known);
+    }
+}
+
+/// ln of a magnitude that is no number any more.
+const BEYOND: f64 = 700.0;
+
+/// A multiplier with its error.
+pub(in crate::studies) fn named(spread: &Spread) -> Multiplier {
+    let size = spread.log_abs();
+    if size.abs() >= BEYOND {
+        // a direction that is taken away has 0 exactly
+        return Multiplier { log_abs: Some(size).filter(|size| size.is_finite()), ..Multiplier::default() };
+    }
+    let z = spread.z.scale(elementary::exp(size) / complex::abs(spread.z));
+    Multiplier { re: z.re, im: z.im, error: spread.error * complex::abs(z), ..Multiplier::default() }
+}
+
+/// Of a free motion the multiplier that is nearest to 1 belongs to the shift along it.
+pub(in crate::studies) fn name_shift(list: &mut [Multiplier]) {
+    let off = |m: &Multiplier| if m.log_abs.is_some() { f64::INFINITY } else { elementary::hypot(m.re - 1.0, m.im) };
+    if let Some(shift) = list.iter_mut().min_by(|a, b| off(a).total_cmp(&off(b))) {
+        shift.trivial = true;
     }
 }

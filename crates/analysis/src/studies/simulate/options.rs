@@ -75,6 +75,8 @@ pub struct Simulate<'a> {
     pub kept: Kept,
     /// Seed of the audits' random states.
     pub seed: u64,
+    /// Instants at which the motion goes on from given states: one that magnifies its start beyond all digits is kept on its way by the starts of its parts.
+    pub joints: Vec<(f64, Vec<f64>)>,
 }
 
 impl Simulate<'_> {
@@ -100,6 +102,7 @@ impl Simulate<'_> {
             most_steps: 1e10,
             kept: Kept::Way,
             seed: 1,
+            joints: Vec::new(),
         }
     }
 }

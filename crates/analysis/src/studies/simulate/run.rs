@@ -86,6 +86,15 @@ pub(super) struct Run {
     pub(super) trail: Option<trail::Recorder>,
 }
 
+/// How far a motion has come.
+#[derive(Clone, Copy, PartialEq)]
+enum Passed {
+    /// To where it was to go.
+    Whole,
+    /// It has ended before.
+    Ended,
+}
+
 /// A step whose rows are still to be made, and where the motion ends inside it.
 pub(super) struct Waiting {
     pub(super) step: Step,
@@ -209,7 +218,19 @@ impl Run {
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let modes = flow.modes().to_vec();
         self.contacts = standing(flow.system().guards(), &modes);
-        let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
+        let mut passed = self.record(&mut flow).map(|()| Passed::Whole);
+        for (t, x) in std::mem::take(&mut options.joints) {
+            if matches!(passed, Ok(Passed::Whole)) {
+                passed = self.pass(&mut flow, t, options);
+                let work = flow.work().clone();
+                flow = Flow::start(flow.release(), t, &x, &flow_options)?;
+                flow.count_from(work);
+            }
+        }
+        let result = match passed {
+            Ok(Passed::Whole) => self.follow(&mut flow, end, options),
+            other => other.map(drop),
+        };
         // what ends early has the rows of what was done
         let result = self.settle_rows(&mut flow, options).and(result);
         self.work = flow.work().clone();
@@ -217,15 +238,16 @@ impl Run {
         result
     }
 
-    pub(super) fn follow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, end: f64, options: &mut Simulate<'_>) -> Result<(), Fault> {
+    /// To an instant, or to what ends the motion before it.
+    fn pass<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, end: f64, options: &mut Simulate<'_>) -> Result<Passed, Fault> {
         while !flow.reached(end) {
             if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 self.interrupted = true;
-                return Ok(());
+                return Ok(Passed::Ended);
             }
             let outcome = flow.advance(end);
             if outcome.is_err() && flow.step().length == 0.0 {
-                return outcome;
+                return outcome.map(|()| Passed::Whole);
             }
             let stop = self.look(flow);
             if let Some((push, t)) = self.pushes.broken() {
@@ -234,7 +256,7 @@ impl Run {
             self.sample(flow, options, stop)?;
             if let Some(stop) = stop {
                 self.settle_rows(flow, options)?;
-                return self.end_inside(flow, stop);
+                return self.end_inside(flow, stop).map(|()| Passed::Ended);
             }
             self.record(flow)?;
             if let Some((push, t)) = self.pushes.broken() {
@@ -248,8 +270,15 @@ impl Run {
             if let Some(progress) = &mut options.progress
                 && flow.work().steps.is_multiple_of(64)
             {
-                progress(flow.time() / end);
+                progress(flow.time() / options.until);
             }
+        }
+        Ok(Passed::Whole)
+    }
+
+    pub(super) fn follow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, end: f64, options: &mut Simulate<'_>) -> Result<(), Fault> {
+        if self.pass(flow, end, options)? == Passed::Ended {
+            return Ok(());
         }
         self.settle_rows(flow, options)?;
         self.x.copy_from_slice(flow.state());

@@ -23,8 +23,6 @@ const FINER: usize = 3;
 const LOOKED: [usize; 3] = [9, 5, 48];
 /// Share of the largest |ψ| T² below which a difference is rounding.
 const ROUNDING: f64 = 1e-11;
-/// Halvings of an interval: each ends at neighbouring numbers.
-const HALVINGS: usize = 100;
 /// Parts of (√5 - 1)/2 of an interval in which the top of a damped tongue lies: its place is known to the root of the rounding of its height.
 const TOP: usize = 48;
 /// Share of the largest entry of S up to which what should vanish for an even ψ is rounding of the steps of a period and of the place.
@@ -90,7 +88,7 @@ pub fn curves<E: Equations>(diagram: &Diagram<E>, ends: [[f64; 2]; 2], rows: usi
     let [low, high] = if along == Along::X { ends[1] } else { ends[0] };
     let places: Vec<f64> =
         (0..rows).map(|k| if k + 1 == rows { high } else { low + (high - low) * k as f64 / (rows - 1) as f64 }).collect();
-    let found: Vec<Vec<Tongue>> = places.iter().map(|other| plane.row(*other)).collect::<Option<_>>()?;
+    let found: Vec<Vec<Tongue>> = places.iter().map(|other| plane.row(*other, None)).collect::<Option<_>>()?;
     Some((along, joined(&plane, &places, &found)))
 }
 
@@ -205,8 +203,8 @@ impl<E: Equations> Plane<'_, E> {
         None
     }
 
-    /// The tongues of a row.
-    fn row(&self, other: f64) -> Option<Vec<Tongue>> {
+    /// The tongues of a row, or the one that is wanted.
+    fn row(&self, other: f64, wanted: Option<usize>) -> Option<Vec<Tongue>> {
         let (zeros, sense) = self.zeros(other)?;
         let [low, high] = self.range;
         let bounds: Vec<f64> = [low].into_iter().chain(zeros.iter().map(|z| z.0)).chain([high]).collect();
@@ -220,6 +218,9 @@ impl<E: Equations> Plane<'_, E> {
                 (None, None) => self.lone(other),
             };
             let n = (0.5 * twice).round().max(0.0) as usize;
+            if wanted.is_some_and(|wanted| wanted != n) {
+                continue;
+            }
             // at the ends of the range zeros of tr M may have been missed: solutions there have no other count
             for s in [low, high].into_iter().filter(|s| pair.contains(s)) {
                 if self.exact(s, other).hill.zeros(2).abs_diff(2 * n) > 1 {
@@ -287,11 +288,7 @@ impl<E: Equations> Plane<'_, E> {
     /// Ends of a tongue with damping, within those that it has without.
     fn lifted(&self, at: (usize, f64), [from, to]: [f64; 2], open: [Option<f64>; 2]) -> [Option<f64>; 2] {
         let ends = [from, to].map(|s| (s, self.exact_excess(at, s)));
-        let top = [from, to]
-            .into_iter()
-            .map(|s| (s, self.exact_excess(at, s)))
-            .chain([self.top(at, [from, to])])
-            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let top = ends.into_iter().chain([self.top(at, [from, to])]).max_by(|a, b| a.1.total_cmp(&b.1));
         let Some(top) = top.filter(|top| top.1 > 0.0) else { return [None, None] };
         let root = |end: (f64, f64), there: bool| {
             let (a, b) = if end.0 < top.0 { (end, top) } else { (top, end) };
@@ -335,21 +332,28 @@ impl<E: Equations> Plane<'_, E> {
     }
 
     /// Where a tongue closes between two rows of which the first has it and the second has not: its last row and the place on it.
-    fn tip(&self, n: usize, [mut with, mut without]: [f64; 2]) -> Option<[f64; 2]> {
+    fn tip(&self, n: usize, [with, without]: [f64; 2]) -> Option<[f64; 2]> {
         let top = |other: f64| {
-            let tongue = self.row(other)?.into_iter().find(|tongue| tongue.n == n && tongue.within.1)?;
+            let tongue = self.row(other, Some(n))?.into_iter().find(|tongue| tongue.within.1)?;
             Some(self.top((n, other), tongue.within.0))
         };
-        let mut last = top(with)?;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (with + without);
-            if middle == with || middle == without {
-                break;
-            }
-            let found = top(middle)?;
-            if found.1 > 0.0 { (with, last) = (middle, found) } else { without = middle }
+        let mut lost = false;
+        let mut height = |other: f64| {
+            let found = top(other);
+            lost |= found.is_none();
+            found.map_or(f64::NAN, |top| top.1)
+        };
+        // the height of the top is a smooth function of the row
+        let mut ends = [with, without].map(|other| (other, height(other)));
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if (ends[0].1 > 0.0) == (ends[1].1 > 0.0) {
+            return None;
         }
-        Some(self.place(last.0, with))
+        let last = bracketed(&mut height, ends[0], ends[1]);
+        if lost {
+            return None;
+        }
+        Some(self.place(top(last)?.0, last))
     }
 }
 
