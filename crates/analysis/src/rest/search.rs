@@ -256,8 +256,22 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
             let left: f64 = there.iter().zip(x).zip(free).map(|((a, b), v)| (a - b) * v).sum::<f64>() / square;
             comes_back &= (left * longest).abs() <= 0.5 * ASIDE;
         }
+        comes_back |= self.is_held_farther_off(x)?;
         self.evaluate(x)?;
         Ok(comes_back)
+    }
+
+    /// Whether the force of the only coordinate, which is rounding beside a place, is one farther off: then it is of higher order.
+    fn is_held_farther_off(&mut self, x: &[f64]) -> Result<bool, Fault> {
+        let size = self.sizes.at(&[&x[..self.n]])[0].max(1.0);
+        let (mut held, alone) = (false, self.n == 1);
+        for off in FARTHER.into_iter().filter(|_| alone).flat_map(|off| [off, -off]) {
+            let mut there = x.to_vec();
+            there[0] += off * size;
+            // beyond the end of a formula nothing is asked
+            held |= self.evaluate(&there).is_ok() && self.residual(&there) > CLEAR;
+        }
+        Ok(held)
     }
 
     /// The middle of two places between which no force is clear of its rounding: they are one, at a zero of higher order.
@@ -428,6 +442,10 @@ pub fn accelerated() -> Fault {
     })
 }
 
+/// Displacements at which a force of higher order shows, in metres or radians.
+const FARTHER: [f64; 4] = [1e-4, 1e-3, 1e-2, 0.1];
+/// A force above this share of the terms that meet in it is one.
+const CLEAR: f64 = 1e-9;
 /// Shares of the way between two places at which forces are looked at, the middle first.
 pub(crate) const ACROSS: [f64; 5] = [0.5, 0.13, 0.31, 0.71, 0.89];
 /// A force below this share of the terms that meet in it is rounding there: some hundred units in the last place.

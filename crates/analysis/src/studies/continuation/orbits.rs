@@ -166,8 +166,9 @@ fn steady_turn(turned: &Turned<'_>, varied: &Varied, (y, coordinates): (&[f64], 
     })
 }
 
-/// A coordinate is held against the others of its unit in its motion by this share, and against its size on the branch: what is less is their rounding.
+/// A coordinate is held against the others of its unit in its motion by this share: what is less is their rounding.
 const BESIDE: f64 = 1e-3;
+/// The same against its size on the branch: half of the digits that a turn is known to.
 const LEAST: f64 = 1e-7;
 
 /// Sizes of the unknowns in one motion, SI.
