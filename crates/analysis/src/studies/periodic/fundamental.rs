@@ -17,6 +17,7 @@ use super::variation::{self, Care, Chain, Stretch};
 use crate::integrate::crossings::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
+use words::Text;
 
 /// How a change of the start changes the end of a turn.
 #[derive(Clone, Debug)]
@@ -49,6 +50,31 @@ pub(super) enum Blur {
     Accumulation,
     /// Prescribed velocities jump.
     Jolt,
+}
+
+impl Blur {
+    /// Why there are no multipliers, in words.
+    pub(super) fn told(self) -> Option<Text> {
+        match self {
+            Blur::None => None,
+            Blur::Grazing => Some(Text::new(
+                "no multipliers: a switch is only touched (grazing), and the motion has no derivative by its start there",
+                "мультипликаторов нет: поверхность переключения лишь затронута (касание), производной движения по началу там нет",
+            )),
+            Blur::Corner => Some(Text::new(
+                "no multipliers: two switches happen at one instant, and which of them a neighbouring motion meets first decides",
+                "мультипликаторов нет: два переключения происходят одновременно, и важно, которое из них соседнее движение встретит первым",
+            )),
+            Blur::Accumulation => Some(Text::new(
+                "no multipliers: infinitely many impacts lie in the period",
+                "мультипликаторов нет: в периоде бесконечно много ударов",
+            )),
+            Blur::Jolt => Some(Text::new(
+                "no multipliers: prescribed velocities jump within the period",
+                "мультипликаторов нет: в периоде заданные скорости изменяются скачком",
+            )),
+        }
+    }
 }
 
 /// The fundamental matrix of a turn.

@@ -44,7 +44,6 @@ pub use verdict::NEUTRAL;
 
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;
-use fundamental::Blur;
 use verdict::stable;
 use words::Text;
 
@@ -256,7 +255,7 @@ fn multipliers<S: System + ?Sized>(
         }
         Err(fault) => return Err(fault),
     };
-    if let Some(note) = blurred(blur) {
+    if let Some(note) = blur.told() {
         dataset.notes.push(note);
         return Ok(None);
     }
@@ -293,28 +292,6 @@ fn hardly_held(doubt: f64) -> Text {
             by.ru
         ),
     )
-}
-
-fn blurred(blur: Blur) -> Option<Text> {
-    match blur {
-        Blur::None => None,
-        Blur::Grazing => Some(Text::new(
-            "no multipliers: a switch is only touched (grazing), and the motion has no derivative by its start there",
-            "мультипликаторов нет: поверхность переключения лишь затронута (касание), производной движения по началу там нет",
-        )),
-        Blur::Corner => Some(Text::new(
-            "no multipliers: two switches happen at one instant, and which of them a neighbouring motion meets first decides",
-            "мультипликаторов нет: два переключения происходят одновременно, и важно, которое из них соседнее движение встретит первым",
-        )),
-        Blur::Accumulation => Some(Text::new(
-            "no multipliers: infinitely many impacts lie in the period",
-            "мультипликаторов нет: в периоде бесконечно много ударов",
-        )),
-        Blur::Jolt => Some(Text::new(
-            "no multipliers: prescribed velocities jump within the period",
-            "мультипликаторов нет: в периоде заданные скорости изменяются скачком",
-        )),
-    }
 }
 
 fn no_multipliers(fault: &Fault) -> Text {

@@ -58,6 +58,9 @@ pub(super) struct Parts {
     pub(super) liouville: f64,
 }
 
+/// Unknowns, and the motion that they begin.
+type Known = (Vec<f64>, Vec<Orbit>);
+
 /// The unknowns: the starts of all parts, one behind the other, and the period of a free motion.
 struct Sought<'s, 'o, 'p> {
     search: &'s mut Search<'p, 'o>,
@@ -229,7 +232,7 @@ impl<'o> Sought<'_, 'o, '_> {
     }
 
     /// The unknowns that the corrections lead to, with the motion there.
-    fn corrected<S: System + ?Sized>(&self, system: &mut S, mut y: Vec<f64>) -> Result<Option<(Vec<f64>, Vec<Orbit>)>, Fault> {
+    fn corrected<S: System + ?Sized>(&self, system: &mut S, mut y: Vec<f64>) -> Result<Option<Known>, Fault> {
         let largest = |d: &[f64]| d.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
         let Ok(mut orbits) = self.parts(system, &y) else { return Ok(None) };
         for _ in 0..CORRECTIONS {

@@ -56,7 +56,7 @@ pub(in crate::studies) fn piece<S: System + ?Sized>(
     scales.iter_mut().for_each(|scale| *scale = scale.max(DEAD * largest));
     let care = if look == Look::Close { Care::Multipliers } else { Care::Correction };
     let found = fundamental::of_orbit(system, &orbit, &scales, (care, listener))?;
-    if let Some(why) = super::blurred(found.blur) {
+    if let Some(why) = found.blur.told() {
         return Err(undefined(why, end));
     }
     let Orbit { last, modes: [modes, _], jumps, .. } = orbit;
