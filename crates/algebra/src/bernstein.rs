@@ -11,9 +11,11 @@ pub fn to_bernstein(c: &mut [f64]) {
         *c_k /= binomial;
         binomial *= (n - k) as f64 / (k + 1) as f64;
     }
-    for level in 1..=n {
-        for j in (level..=n).rev() {
-            c[j] += c[j - 1];
+    for level in 0..n {
+        // each takes its neighbour as it was
+        let mut before = c[level];
+        for c_j in &mut c[level + 1..] {
+            before = std::mem::replace(c_j, *c_j + before);
         }
     }
 }
@@ -23,8 +25,9 @@ pub fn halve_row(row: &mut [f64], left: &mut Vec<f64>) {
     let n = row.len();
     for level in 0..n {
         left.push(row[0]);
-        for j in 0..n - 1 - level {
-            row[j] = 0.5 * (row[j] + row[j + 1]);
+        let mut behind = row[n - 1 - level];
+        for c_j in row[..n - 1 - level].iter_mut().rev() {
+            behind = std::mem::replace(c_j, 0.5 * (*c_j + behind));
         }
     }
 }

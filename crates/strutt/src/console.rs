@@ -102,8 +102,13 @@ impl Console {
 
     /// Data.
     pub fn out(&self, data: impl AsRef<[u8]>) -> Result<(), Failure> {
+        self.out_by(&mut |stdout| stdout.write_all(data.as_ref()))
+    }
+
+    /// Data that are written piece by piece.
+    pub fn out_by(&self, write: &mut dyn FnMut(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
         let mut stdout = std::io::stdout().lock();
-        match stdout.write_all(data.as_ref()).and_then(|()| stdout.flush()) {
+        match write(&mut stdout).and_then(|()| stdout.flush()) {
             Ok(()) => Ok(()),
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Err(Failure::ClosedPipe),
             Err(error) => {

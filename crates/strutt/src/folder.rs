@@ -130,7 +130,7 @@ fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) ->
 
 fn tables(shelf: &mut Shelf, results: &Results, stem: &str, language: Language) -> Result<(), Box<Notice>> {
     let data = &results.data;
-    shelf.put(&format!("{stem}.csv"), Word::Table, &csv::write(data, csv::Dialect::Plain))?;
+    shelf.put_by(&format!("{stem}.csv"), Word::Table, &mut |to| csv::write_to(data, csv::Dialect::Plain, to))?;
     if data.events.iter().any(|e| !e.name.is_empty()) {
         shelf.put(&format!("{stem}-events.csv"), Word::EventTable, &csv::write_events(data, csv::Dialect::Plain, language))?;
     }
@@ -138,9 +138,9 @@ fn tables(shelf: &mut Shelf, results: &Results, stem: &str, language: Language) 
         shelf.put(&format!("{stem}-{name}.csv"), Word::Table, &csv::write(table, csv::Dialect::Plain))?;
     }
     if language == Language::Ru {
-        shelf.put(&format!("{stem}-excel.csv"), Word::TableRu, &csv::write(data, csv::Dialect::Ru))?;
+        shelf.put_by(&format!("{stem}-excel.csv"), Word::TableRu, &mut |to| csv::write_to(data, csv::Dialect::Ru, to))?;
     }
-    shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &results.fields(), language))?;
+    shelf.put_by(&format!("{stem}.json"), Word::AllData, &mut |to| json::write_to((data, &results.fields()), language, to))?;
     Ok(())
 }
 

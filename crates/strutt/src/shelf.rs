@@ -3,6 +3,7 @@
 use crate::files;
 use crate::wording::Word;
 use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use words::{Notice, Text};
 
@@ -43,6 +44,19 @@ impl<'a> Shelf<'a> {
     /// # Errors
     /// It would replace an input (C052), or the disk refuses (C005).
     pub fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<String, Box<Notice>> {
+        self.put_by(name, what, &mut |to| to.write_all(bytes))
+    }
+
+    /// The same of a file that is written piece by piece.
+    ///
+    /// # Errors
+    /// As of [`Shelf::put`].
+    pub fn put_by(
+        &mut self,
+        name: &str,
+        what: Word,
+        write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<String, Box<Notice>> {
         let name = self.free(name);
         let path = self.folder.join(&name);
         if let Some(input) = self.inputs.iter().find(|input| same_file(&path, input)) {
@@ -51,7 +65,7 @@ impl<'a> Shelf<'a> {
         let part = self.folder.join(format!("{name}.{}{PART}", std::process::id()));
         self.parts.push(part.clone());
         self.names.push((name.clone(), what));
-        fs::write(&part, bytes).map_err(|error| files::refused(&path, &error))?;
+        File::create(&part).and_then(|mut file| write(&mut file)).map_err(|error| files::refused(&path, &error))?;
         Ok(name)
     }
 

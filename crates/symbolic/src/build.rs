@@ -467,7 +467,10 @@ fn collect_like(pairs: &mut Vec<(Expr, Rational)>) {
 fn sum_content(constant: &Rational, terms: &[(Expr, Rational)]) -> Rational {
     let mut content = terms[0].1.abs();
     for factor in terms.iter().map(|t| &t.1).chain((!constant.is_zero()).then_some(constant)) {
-        content = rational_gcd(&content, factor);
+        // sums of many masses have factors of one
+        if content != *factor && !(content.is_one() && factor.is_integer()) {
+            content = rational_gcd(&content, factor);
+        }
     }
     if terms[0].1.is_negative() { -&content } else { content }
 }
@@ -475,7 +478,6 @@ fn sum_content(constant: &Rational, terms: &[(Expr, Rational)]) -> Rational {
 /// Greatest common divisor of two rationals, gcd(a/b, c/d) = gcd(ad, cb)/(bd).
 pub(crate) fn rational_gcd(a: &Rational, b: &Rational) -> Rational {
     let (mut a, mut b) = (a.abs(), b.abs());
-    // sums of many masses have factors of one
     if a == b || a == Rational::ONE && b.is_integer() {
         return a;
     }

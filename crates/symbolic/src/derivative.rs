@@ -50,13 +50,16 @@ impl Derivation {
 
     /// D e when D of all operands is known.
     fn step(&self, graph: &mut Graph, e: Expr) -> Expr {
+        // of a long sum nearly all terms stand still
+        if let Node::Sum { terms, .. } = graph.node(e) {
+            let moving = terms.iter().map(|(t, f)| (self.memo[t], f)).filter(|(d, _)| !graph.is_zero(*d));
+            let terms: Vec<_> = moving.map(|(d, f)| (d, f.clone())).collect();
+            return graph.linear(Rational::ZERO, &terms);
+        }
         match graph.node(e).clone() {
             Node::Number(_) | Node::Pi => graph.zero(),
             Node::Symbol(s) => self.seeds.get(&s).copied().unwrap_or_else(|| graph.zero()),
-            Node::Sum { terms, .. } => {
-                let terms: Vec<_> = terms.iter().map(|(t, f)| (self.memo[t], f.clone())).collect();
-                graph.linear(Rational::ZERO, &terms)
-            }
+            Node::Sum { .. } => graph.zero(),
             Node::Product { coefficient, factors } => self.product(graph, &coefficient, &factors),
             Node::Power { base, exponent } => self.power(graph, e, base, exponent),
             Node::Call { function, arguments } => self.call(graph, e, function, &arguments),

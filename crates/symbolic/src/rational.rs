@@ -45,6 +45,9 @@ impl Rational {
     }
 
     fn from_i128(n: i128, d: i128) -> Rational {
+        if let (1, Some(n)) = (d, fit(n)) {
+            return Rational(Small(n, 1));
+        }
         let g = n.gcd(&d);
         let (mut n, mut d) = if g > 1 { (n / g, d / g) } else { (n, d) };
         if d < 0 {
@@ -222,6 +225,8 @@ impl Add for &Rational {
     fn add(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
             (Small(a, 1), Small(b, 1)) => Rational::from_i128(i128::from(*a) + i128::from(*b), 1),
+            (Small(0, _), _) => other.clone(),
+            (_, Small(0, _)) => self.clone(),
             (Small(a, b), Small(c, d)) => {
                 let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
                 match (a * d).checked_add(c * b) {
@@ -237,6 +242,8 @@ impl Mul for &Rational {
     type Output = Rational;
     fn mul(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
+            (Small(1, 1), _) => other.clone(),
+            (_, Small(1, 1)) => self.clone(),
             (Small(a, b), Small(c, d)) => Rational::from_i128(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d)),
             _ => Rational::from_big(self.to_big() * other.to_big()),
         }

@@ -6,10 +6,20 @@ use crate::Text;
 pub fn number(value: f64) -> Text {
     // three zeros behind the point and six digits before it are still read at a glance
     let plain = value == 0.0 || (1e-4..1e6).contains(&value.abs());
-    let typed = if plain { format!("{value}") } else { format!("{value:e}") };
-    let (mantissa, exponent) = typed.split_once('e').map_or((typed.as_str(), None), |(m, e)| (m, Some(e)));
-    let power = exponent.map_or_else(String::new, |e| format!("·10{}", e.chars().map(raised).collect::<String>()));
-    let en = format!("{}{power}", mantissa.replace('-', "−"));
+    let typed = if plain { value.to_string() } else { format!("{value:e}") };
+    let mut en = String::with_capacity(typed.len() + 16);
+    let mut digits = typed.chars();
+    for c in digits.by_ref() {
+        match c {
+            '-' => en.push('−'),
+            'e' => {
+                en.push_str("·10");
+                break;
+            }
+            c => en.push(c),
+        }
+    }
+    en.extend(digits.map(raised));
     Text { ru: en.replace('.', ","), en }
 }
 

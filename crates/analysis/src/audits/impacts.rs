@@ -112,9 +112,10 @@ impl ImpactEnergy {
 /// free of it (prescribed motions): T(v) + T(-v) - 2 T(0) = vᵀ M v leaves them out.
 pub fn relative<S: System + ?Sized>(system: &mut S, t: f64, states: [&[f64]; 2], surface: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
     let n = system.n_coordinates();
+    let mut y = surface.to_vec();
     let mut square = |x: &[f64]| -> Option<f64> {
+        y.copy_from_slice(x);
         let mut energy = |factor: f64| -> Option<f64> {
-            let mut y = x.to_vec();
             (n..2 * n).for_each(|i| y[i] = factor * (x[i] - surface[i]));
             Some(system.energies(t, &y, modes)?[0])
         };

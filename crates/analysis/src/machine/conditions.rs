@@ -544,7 +544,7 @@ impl Conditions {
             self.active.iter().map(|&row| if level == Level::Place { self.place(row) } else { self.rate(row) }).collect();
         let factor = self.metric();
         let mut change =
-            if self.repeated > 0 { self.least_of_repeated(&wanted) } else { Qr::new(&self.gradients(), n, m).shortest(&wanted) };
+            if self.repeated > 0 { self.least_of_repeated(&wanted) } else { Qr::new(&self.gradients_by(&factor), n, m).shortest(&wanted) };
         factor.backward(&mut change);
         change
     }
@@ -609,8 +609,12 @@ impl Conditions {
 
     /// C^-1 J' of the active rows, row-major.
     fn gradients(&self) -> Vec<f64> {
+        self.gradients_by(&self.metric())
+    }
+
+    /// The same where C is known.
+    fn gradients_by(&self, factor: &Cholesky) -> Vec<f64> {
         let (n, m) = (self.n, self.active.len());
-        let factor = self.metric();
         let mut columns = vec![0.0; n * m];
         for (k, &row) in self.active.iter().enumerate() {
             let mut a = self.column(row).to_vec();

@@ -83,22 +83,19 @@ pub fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, of: Energy
     let mut total = Gathered::default();
     let mut dots: FxHashMap<(Vector, Vector), Expr> = FxHashMap::default();
     for (i, frame) in model.frames.iter().enumerate() {
-        let mut own = Gathered::default();
+        let mut own = (of == EnergyOf::Bodies).then(Gathered::default);
         if let Some(mass) = &frame.mass {
             let frame = FrameId(i);
             let columns = kinematics.jacobian(scene, PointRef::Center(frame));
             let turning = kinematics.frames[i].turning.clone();
-            translation(scene, mass, &columns, &mut dots, &mut |pair, product, factor| {
+            let mut sink = |pair, product, factor| {
                 total.push(pair, product, factor);
-                own.push(pair, product, factor);
-            });
-            rotation(scene, mass, &turning, &mut |pair, product, factor| {
-                total.push(pair, product, factor);
-                own.push(pair, product, factor);
-            });
+                own.iter_mut().for_each(|own| own.push(pair, product, factor));
+            };
+            translation(scene, mass, &columns, &mut dots, &mut sink);
+            rotation(scene, mass, &turning, &mut sink);
         }
-        let own = if of == EnergyOf::Bodies { own.finish(scene) } else { Quadratic::new() };
-        kinetic.bodies.push(own);
+        kinetic.bodies.push(own.map(|own| own.finish(scene)).unwrap_or_default());
     }
     let one = scene.graph.one();
     for inertia in &model.inertias {

@@ -27,7 +27,8 @@ pub fn specialise(tape: &Arc<Tape>, parameters: &[f64]) -> Result<Tape, Fault> {
         return Ok(Tape::clone(tape));
     }
     let needed = needed(tape);
-    let mut rewriting = Rewriting { builder: Builder::default(), names: vec![Register(0); tape.registers()], constants };
+    let mut rewriting =
+        Rewriting { builder: Builder::default(), names: vec![Register(0); tape.registers()], constants, places: Vec::new() };
     for i in (0..rewriting.constants.len()).filter(|i| needed[*i]) {
         rewriting.names[i] = rewriting.builder.number(rewriting.constants[i]);
     }
@@ -80,6 +81,8 @@ struct Rewriting {
     /// New register of each old one.
     names: Vec<Register>,
     constants: Vec<f64>,
+    /// Where a register stands among the terms of a sum, if it does.
+    places: Vec<usize>,
 }
 
 impl Rewriting {
@@ -136,10 +139,20 @@ impl Rewriting {
         let mut known = constant;
         let mut kept: Vec<(f64, Register)> = Vec::with_capacity(terms.len());
         for &(c, r) in terms {
-            match (self.builder.literal(r), kept.iter_mut().find(|term| term.1 == r)) {
-                (Some(value), _) => known += c * value,
-                (None, Some(term)) => term.0 += c,
-                (None, None) => kept.push((c, r)),
+            if let Some(value) = self.builder.literal(r) {
+                known += c * value;
+                continue;
+            }
+            if self.places.len() <= r.index() {
+                self.places.resize(r.index() + 1, 0);
+            }
+            let place = &mut self.places[r.index()];
+            match kept.get_mut(*place).filter(|term| term.1 == r) {
+                Some(term) => term.0 += c,
+                None => {
+                    *place = kept.len();
+                    kept.push((c, r));
+                }
             }
         }
         let terms = kept.into_iter().map(|(c, r)| (Coefficient::number(c), r)).collect();

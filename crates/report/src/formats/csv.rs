@@ -1,9 +1,11 @@
 //! CSV tables of a [`Dataset`]: `t [s],phi [rad],...`, SI values with 17 significant digits.
 
+use super::row::pass_on;
 use super::{Format, Holds, Table};
 use crate::number::push_exact;
 use analysis::Dataset;
 use analysis::dataset::Column;
+use std::io::{self, Write};
 use words::Language;
 
 /// The row of the table.
@@ -16,7 +18,7 @@ pub const FORMAT: Format = Format {
 
 /// Columns of numbers as this format writes them.
 pub const NUMBERS: Table =
-    Table { data: |data| write(data, Dialect::Plain), events: |data, language| write_events(data, Dialect::Plain, language) };
+    Table { data: |data, to| write_to(data, Dialect::Plain, to), events: |data, language| write_events(data, Dialect::Plain, language) };
 
 /// Flavour of CSV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -28,13 +30,25 @@ pub enum Dialect {
     Ru,
 }
 
-/// The table as bytes.
+/// The table as bytes: see [`write_to`].
+pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
+    let mut out = Vec::new();
+    // memory takes everything
+    let written = write_to(data, dialect, &mut out);
+    debug_assert!(written.is_ok());
+    out
+}
+
+/// Writes the table, piece by piece.
 ///
 /// 17 significant digits name every `f64`: reading the plain dialect gives back the same bits. Where there is no such quantity the cell is
 /// empty (the result says why, [`Dataset::stated`]); what grows beyond all bounds is `inf` or `-inf`.
-pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
+///
+/// # Errors
+/// The place refuses it.
+pub fn write_to(data: &Dataset, dialect: Dialect, to: &mut dyn Write) -> io::Result<()> {
     let n_rows = data.columns.iter().map(|c| c.values.len()).max().unwrap_or(0);
-    let mut out = Vec::with_capacity((n_rows + 1) * data.columns.len() * 24 + 16);
+    let mut out = Vec::new();
     let separator = match dialect {
         Dialect::Plain => b',',
         Dialect::Ru => {
@@ -81,8 +95,9 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
             }
         }
         out.push(b'\n');
+        pass_on(&mut out, to)?;
     }
-    out
+    to.write_all(&out)
 }
 
 /// A table of what happened: `event,side,t [s],phi [rad],...`. A named event has one row, a switch two, `before` and `after` it; its first cell is what

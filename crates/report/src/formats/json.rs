@@ -16,10 +16,12 @@
 //! Numbers are SI, in the shortest form that reads back as the same `f64`. JSON has no form for infinities and not-a-number: they are
 //! `null`, and `stated` says what they mean: `[{"name": "x_phase", "missing": "absent", "words": "..."}]` ("unbounded" for infinities). Columns and parameters are objects in the order of the study; a later column with the name of an earlier one is `f.1`.
 
+use super::row::pass_on;
 use super::{Format, Holds, Tree};
 use analysis::Dataset;
 use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Labels, Stated};
 use serde_json::{Map, Value, json};
+use std::io::{self, Write};
 use words::Language;
 
 /// The row of the table.
@@ -27,18 +29,29 @@ pub const FORMAT: Format = Format {
     name: "json",
     extension: "json",
     help: ("all results on standard output, for programs", "все результаты в стандартный вывод, для программ"),
-    holds: Holds::Tree(Tree { data: write, value: |value| format!("{value}\n") }),
+    holds: Holds::Tree(Tree { data: write_to, value: |value| format!("{value}\n") }),
 };
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
 pub fn write(data: &Dataset, extra: &Map<String, Value>, language: Language) -> Vec<u8> {
+    let mut out = Vec::new();
+    // memory takes everything
+    let written = write_to((data, extra), language, &mut out);
+    debug_assert!(written.is_ok());
+    out
+}
+
+/// Writes the same, piece by piece.
+///
+/// # Errors
+/// The place refuses it.
+pub fn write_to((data, extra): (&Dataset, &Map<String, Value>), language: Language, to: &mut dyn Write) -> io::Result<()> {
     let mut head = head(data, language);
     for (key, value) in extra {
         // the fields of every study cannot be replaced by a study's own
         head.entry(key.clone()).or_insert_with(|| value.clone());
     }
-    let n_values: usize = data.columns.iter().map(|c| c.values.len()).sum();
-    let mut out = Vec::with_capacity(n_values * 20 + 4096);
+    let mut out = Vec::new();
     push(&mut out, &head);
     // open the object again: the columns are written without an intermediate tree
     out.pop();
@@ -48,12 +61,18 @@ pub fn write(data: &Dataset, extra: &Map<String, Value>, language: Language) -> 
         push(&mut out, &name);
         out.extend_from_slice(b":{\"unit\":");
         push(&mut out, &column.quantity.unit);
-        out.extend_from_slice(b",\"values\":");
-        push(&mut out, &column.values);
-        out.push(b'}');
+        out.extend_from_slice(b",\"values\":[");
+        for (k, value) in column.values.iter().enumerate() {
+            if k > 0 {
+                out.push(b',');
+            }
+            push(&mut out, value);
+            pass_on(&mut out, to)?;
+        }
+        out.extend_from_slice(b"]}");
     }
     out.extend_from_slice(b"}}\n");
-    out
+    to.write_all(&out)
 }
 
 /// Everything but the columns.

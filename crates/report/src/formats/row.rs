@@ -4,6 +4,7 @@ use crate::document::{Block, Document};
 use crate::figure::{Title, bands, png, svg};
 use analysis::Dataset;
 use serde_json::{Map, Value};
+use std::io::{self, Write};
 use words::Language;
 
 /// A format: a row of [`super::TABLE`].
@@ -98,8 +99,8 @@ pub struct Drawing {
 /// How columns of numbers are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Table {
-    /// All rows.
-    pub data: fn(&Dataset) -> Vec<u8>,
+    /// All rows, piece by piece.
+    pub data: fn(&Dataset, &mut dyn Write) -> io::Result<()>,
     /// Rows at events and switches.
     pub events: fn(&Dataset, Language) -> Vec<u8>,
 }
@@ -107,10 +108,22 @@ pub struct Table {
 /// How trees are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Tree {
-    /// Everything about a study, with its own fields.
-    pub data: fn(&Dataset, &Map<String, Value>, Language) -> Vec<u8>,
+    /// Everything about a study, with its own fields, piece by piece.
+    pub data: fn((&Dataset, &Map<String, Value>), Language, &mut dyn Write) -> io::Result<()>,
     /// Anything else.
     pub value: fn(&Value) -> String,
+}
+
+/// Bytes that are kept until they are passed on: a table of a million rows is never in memory as text.
+const PIECE: usize = 1 << 16;
+
+/// Passes on what is written so far, once it is a piece.
+pub(crate) fn pass_on(written: &mut Vec<u8>, to: &mut dyn Write) -> io::Result<()> {
+    if written.len() >= PIECE {
+        to.write_all(written)?;
+        written.clear();
+    }
+    Ok(())
 }
 
 /// SVG as it is.

@@ -24,7 +24,7 @@ pub fn run(args: &Merge, console: &mut Console) -> Result<Exit, Failure> {
     let mut shelf = Shelf::open(&args.out, &inputs)?;
     let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
     shelf.put(&rows::name(studies::sweep::KIND.name), Word::Table, text.as_bytes())?;
-    shelf.put(TABLE, Word::Table, &(report::csv::NUMBERS.data)(&data))?;
+    shelf.put_by(TABLE, Word::Table, &mut |to| (report::csv::NUMBERS.data)(&data, to))?;
     let paths = shelf.close()?;
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("{}{list}", console.say(Word::Written)));

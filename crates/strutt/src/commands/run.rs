@@ -48,7 +48,7 @@ fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
     match console.format.holds {
         Holds::Tree(_) => console.out(folder::calculation_to_json(calculation, language)),
         Holds::Table(table) => match calculation.results.first() {
-            Some(results) => console.out((table.data)(&results.data)),
+            Some(results) => console.out_by(&mut |to| (table.data)(&results.data, to)),
             None => Ok(()),
         },
         Holds::Page(_) => {

@@ -223,8 +223,8 @@ fn write(machine: Machine, results: Results, (out, tables): (&Path, &[PathBuf]),
 fn show(machine: &Machine, results: &Results, view: &View, console: &Console) -> Result<(), Failure> {
     let language = console.language;
     match (console.format.holds, results.alone) {
-        (Holds::Tree(tree), _) => console.out((tree.data)(&results.data, &results.fields(), language)),
-        (Holds::Table(table), _) => console.out((table.data)(&results.data)),
+        (Holds::Tree(tree), _) => console.out_by(&mut |to| (tree.data)((&results.data, &results.fields()), language, to)),
+        (Holds::Table(table), _) => console.out_by(&mut |to| (table.data)(&results.data, to)),
         (Holds::Page(_), _) if view.out.is_some() && !console.terminal => Ok(()),
         (Holds::Page(_), Alone::Places) => places(results, view, console),
         (Holds::Page(_), Alone::Written { next }) => solution(machine, results, (view, next), console),
@@ -291,17 +291,17 @@ fn table(results: &Results, view: &View, console: &Console) -> Result<(), Failur
     // where people read, rows are numbers too
     let numbers = console.format.table().unwrap_or(report::csv::NUMBERS);
     match console.format.holds {
-        Holds::Tree(tree) => console.out((tree.data)(data, &results.fields(), console.language)),
+        Holds::Tree(tree) => console.out_by(&mut |to| (tree.data)((data, &results.fields()), console.language, to)),
         _ if view.events => console.out((numbers.events)(data, console.language)),
         Holds::Page(_) if view.out.is_some() => Ok(()),
-        _ if view.switches => console.out((numbers.data)(&data.with_switches())),
+        _ if view.switches => console.out_by(&mut |to| (numbers.data)(&data.with_switches(), to)),
         Holds::Page(_) if console.terminal => {
             let table = studies::results::tables::results(data, console.language);
             console.out(report::terminal::table(&table, console.language, console.width()))?;
             console.next(&format!("strutt simulate {} --csv > motion.csv", quoted(view.file)));
             Ok(())
         }
-        _ => console.out((numbers.data)(data)),
+        _ => console.out_by(&mut |to| (numbers.data)(data, to)),
     }
 }
 

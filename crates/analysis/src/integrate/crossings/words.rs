@@ -10,7 +10,7 @@ use words::digits::number;
 /// One line for the table of events.
 pub fn describe(switch: &Switch, guard: &Guard) -> Text {
     let name = &guard.name;
-    let told = |en: String, ru: String| Text::new(format!("{}: {en}", name.en), format!("{}: {ru}", name.ru));
+    let told = |en: String, ru: String| Text::new([&name.en[..], ": ", &en].concat(), [&name.ru[..], ": ", &ru].concat());
     match (&guard.kind, switch.change) {
         (_, Change::Impact { rates, .. }) => impact(switch, rates, guard, told),
         (_, Change::Rests { limit }) => {
@@ -115,8 +115,8 @@ pub fn standing(guards: &[Guard], modes: &[Mode]) -> Vec<Standing> {
 fn impact(switch: &Switch, rates: [f64; 2], guard: &Guard, told: impl Fn(String, String) -> Text) -> Text {
     let [before, after] = rates.map(short);
     let word = if guard.tie { ("catches", "рывок") } else { ("impact", "удар") };
-    let mut en = format!("{}, rate {} → {}", word.0, before.en, after.en);
-    let mut ru = format!("{}, скорость {} → {}", word.1, before.ru, after.ru);
+    let mut en = [word.0, ", rate ", &before.en, " → ", &after.en].concat();
+    let mut ru = [word.1, ", скорость ", &before.ru, " → ", &after.ru].concat();
     if switch.after == Mode::Zero && guard.tie {
         en += ", stays taut";
         ru += ", остаётся натянутой";

@@ -15,6 +15,7 @@
 use crate::integrate::taylor::Flow;
 use crate::system::Bends;
 use crate::{Blow, Fault, GuardKind, Mode, System};
+use std::sync::Arc;
 
 use crate::integrate::crossings::{Hit, Impact, opposite};
 
@@ -61,7 +62,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let blow = self.system.impact(self.now.high, &mut self.x, sides, &on).map_err(|f| f.during(self.now.high))?;
         self.system.expand(self.now.high, &self.x, sides, 1)?;
         let impacts = self.struck((&on, &before), &blow);
-        self.blow = Some(blow);
+        self.blow = Some(Arc::new(blow));
         Ok(impacts)
     }
 
@@ -98,7 +99,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.jolted = true;
         self.system.expand(self.now.high, &self.x, &after, 1)?;
         let impacts = self.struck((on, before), &blow);
-        self.blow = Some(blow);
+        self.blow = Some(Arc::new(blow));
         Ok(Some(impacts))
     }
 

@@ -246,14 +246,13 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// Takes the wishes of one trial after another; true when a trial holds.
     fn follow(&mut self, trail: &mut Trail, exchange: Exchange) -> bool {
-        let mut tried: Vec<Vec<Mode>> = Vec::new();
-        while !tried.contains(&self.modes) && tried.len() <= patience(self.modes.len()) {
-            tried.push(self.modes.clone());
+        let earlier = trail.tried.len();
+        while !trail.tried[earlier..].contains(&self.modes) && trail.tried.len() - earlier <= patience(self.modes.len()) {
             trail.tried.push(self.modes.clone());
             match self.settle() {
                 Ok(Verdict::Holds) => return true,
                 Ok(Verdict::Wants(wanted)) => {
-                    let before = &tried[tried.len() - 1];
+                    let before = &trail.tried[trail.tried.len() - 1];
                     let suspects = |i: &usize| self.touched[*i] && wanted[*i] != before[*i];
                     trail.suspect = trail.suspect.or_else(|| (0..wanted.len()).rev().find(suspects));
                     trail.changing = trail.changing.or_else(|| (0..wanted.len()).find(|&i| wanted[i] != before[i]));

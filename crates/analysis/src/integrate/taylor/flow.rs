@@ -9,6 +9,7 @@ use crate::integrate::crossings::roots::RootFinder;
 use crate::integrate::crossings::{Hit, Rival, Switch};
 use crate::{Blow, Fault, GuardKind, Mode, System, Tie};
 use algebra::sum::Instant;
+use std::sync::Arc;
 
 /// A motion under way.
 pub struct Flow<'s, S: System + ?Sized> {
@@ -42,7 +43,7 @@ pub struct Flow<'s, S: System + ?Sized> {
     /// The last impact at each contact.
     pub(crate) hits: Vec<Option<Hit>>,
     /// What the impact of the last event did.
-    pub(crate) blow: Option<Blow>,
+    pub(crate) blow: Option<Arc<Blow>>,
     /// Guards that the event crossed, and the owners of crossed bounds; all where an impact or the start decides everything.
     pub(crate) fired: Vec<bool>,
     /// What is nothing at contacts and frictions, by guard; found where a law is violated, since the last event.
@@ -156,7 +157,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         (0..self.modes.len()).map(|i| if turned(i) { self.modes[i] } else { self.modes_before[i] }).collect()
     }
     /// What the impact of the last event did, if there was one.
-    pub fn blow(&self) -> Option<&Blow> {
+    pub fn blow(&self) -> Option<&Arc<Blow>> {
         self.blow.as_ref()
     }
     /// Largest relative violation of the conditions of connections that was removed by projection. A condition is compared with the largest terms that

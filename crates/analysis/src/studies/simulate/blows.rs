@@ -76,6 +76,9 @@ impl Run {
         modes: [&[Mode]; 2],
         taking: &[Mode],
     ) -> bool {
+        if !flow.system().guards().iter().any(|guard| matches!(guard.kind, GuardKind::Friction { .. })) {
+            return false;
+        }
         let (t, Some(blow)) = (flow.time(), flow.blow().cloned()) else { return false };
         let touches = flow.system().struck(t, &states[0], &blow.reactions, modes[1]).unwrap_or_default();
         let rubs = |touch: &Touch| matches!(touch.law, TouchLaw::Friction { .. }) && touch.force != 0.0;

@@ -328,16 +328,16 @@ impl Run {
         }
         let mut impulses = self.impulses(flow, &switches);
         self.pushes.strike(t, &impulses);
-        for switch in &switches {
+        let sides = std::iter::repeat_n((states, outputs), switches.len());
+        for (switch, (states, outputs)) in switches.iter().zip(sides) {
             let mut what = describe(switch, &flow.system().guards()[switch.guard]);
             if matches!(switch.change, Change::Impact { .. })
                 && let Some(lost) = lost.take()
             {
                 let n = rounded(lost);
-                what = Text::new(format!("{}, {} J lost", what.en, n.en), format!("{}, потеряно {} Дж", what.ru, n.ru));
+                what = Text::new([&what.en[..], ", ", &n.en, " J lost"].concat(), [&what.ru[..], ", потеряно ", &n.ru, " Дж"].concat());
             }
             let sides = [switch.before.sign(), switch.after.sign()];
-            let (states, outputs) = (states.clone(), outputs.clone());
             let contact = change(switch, &flow.system().guards()[switch.guard]);
             let impulses = if jumps(switch) { std::mem::take(&mut impulses) } else { Vec::new() };
             if switch.change == Change::Jolt && !impulses.is_empty() {
