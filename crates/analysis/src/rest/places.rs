@@ -350,7 +350,9 @@ impl Search<'_> {
         let mut digits = below.get(..n).unwrap_or_default().to_vec();
         if !digits.is_empty() {
             digits.resize(n + reactions.len(), 0.0);
-            self.system.reactions.iter().enumerate().for_each(|(c, r)| digits[n + r] = below[n + c]);
+            for (c, r) in self.system.reactions.iter().enumerate() {
+                digits[n + r] = if is_noise(&rows, z, &sizes, n + c) { 0.0 } else { below[n + c] };
+            }
         }
         Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual, below: digits, flat: None }
     }

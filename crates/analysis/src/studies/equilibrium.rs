@@ -87,16 +87,11 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         x[n..rates].fill(0.0);
         x[..n].copy_from_slice(guess);
         match search.sought(x) {
-            Ok(rest) if found.iter().all(|other| !sizes.same([&other.q, &rest.q], &own, ONE)) => {
-                match one(&mut search, &mut flat, &rest, start) {
-                    Some((k, middle)) => found[k] = middle,
-                    None => {
-                        flat.push([rest.q.clone(), rest.q.clone()]);
-                        found.push(rest);
-                    }
-                }
-            }
-            Ok(_) => {}
+            Ok(rest) if found.iter().any(|other| sizes.same([&other.q, &rest.q], &own, ONE)) => {}
+            Ok(rest) => match one(&mut search, &mut flat, &rest, start) {
+                Some((k, middle)) => found[k] = middle,
+                None => found.push(rest),
+            },
             Err(fault) => faults.push(fault),
         }
     }
@@ -133,13 +128,18 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
 }
 
 /// Which of the places found one more belongs to, and the middle of both, where no force between them is clear of its rounding; `flat` are the ends of the places found.
-fn one<S: Statics + ?Sized>(search: &mut Search<'_, S>, flat: &mut [[Vec<f64>; 2]], rest: &Rest, start: &[f64]) -> Option<(usize, Rest)> {
+fn one<S: Statics + ?Sized>(
+    search: &mut Search<'_, S>,
+    flat: &mut Vec<[Vec<f64>; 2]>,
+    rest: &Rest,
+    start: &[f64],
+) -> Option<(usize, Rest)> {
     let n = rest.q.len();
     let mut x = start.to_vec();
     let rates = (2 * n).min(x.len());
     x[n..rates].fill(0.0);
     let sizes = search.sizes.clone();
-    flat.iter_mut().enumerate().find_map(|(k, [a, b])| {
+    let joined = flat.iter_mut().enumerate().find_map(|(k, [a, b])| {
         if !sizes.same([a, &rest.q], &start[..n], BESIDE) && !sizes.same([b, &rest.q], &start[..n], BESIDE) {
             return None;
         }
@@ -151,7 +151,11 @@ fn one<S: Statics + ?Sized>(search: &mut Search<'_, S>, flat: &mut [[Vec<f64>; 2
             (*a, *b) = (far, rest.q.clone());
         }
         Some((k, search.between([a, b], &x)?))
-    })
+    });
+    if joined.is_none() {
+        flat.push([rest.q.clone(), rest.q.clone()]);
+    }
+    joined
 }
 
 /// Adds every guess with some of the other angles turned by half a turn, where machines under gravity rest too.

@@ -105,11 +105,14 @@ pub struct Table {
     pub events: fn(&Dataset, Language) -> Vec<u8>,
 }
 
+/// Writes numbers and what else a study has found, piece by piece.
+type Written = fn((&Dataset, &Map<String, Value>), Language, &mut dyn Write) -> io::Result<()>;
+
 /// How trees are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Tree {
     /// Everything about a study, with its own fields, piece by piece.
-    pub data: fn((&Dataset, &Map<String, Value>), Language, &mut dyn Write) -> io::Result<()>,
+    pub data: Written,
     /// Anything else.
     pub value: fn(&Value) -> String,
 }

@@ -47,6 +47,15 @@ fn of_the_start(note: &Text) -> Text {
     Text::new(format!("the motion from the start: {}", note.en), format!("движение из заданного начала: {}", note.ru))
 }
 
+/// The motion from the start begins with another rate than the one given.
+fn begins_struck(rate: f64) -> Text {
+    let rate = words::digits::rounded(rate);
+    Text::new(
+        format!("A contact is struck at the start: this motion begins with ω = {} rad/s.", rate.en),
+        format!("В начале происходит удар в контакте: это движение начинается с ω = {} рад/с.", rate.ru),
+    )
+}
+
 /// Irregularity of the true motion over the cycle.
 pub(super) fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Notice> {
     match pulling(&mut machine.clone(), study) {
@@ -72,13 +81,7 @@ pub(super) fn running(results: &mut Results, machine: &mut Machine, study: &Cycl
         }
         found => found?,
     };
-    if let Some(begins) = struck {
-        let rate = words::digits::rounded(begins);
-        results.words.push(Text::new(
-            format!("A contact is struck at the start: this motion begins with ω = {} rad/s.", rate.en),
-            format!("В начале происходит удар в контакте: это движение начинается с ω = {} рад/с.", rate.ru),
-        ));
-    }
+    results.words.extend(struck.map(begins_struck));
     // of a shaft that turns backwards the largest rate is that of the largest speed
     let (high, low) = if mean < 0.0 { (low, high) } else { (high, low) };
     let by_max = (high - low) / high;

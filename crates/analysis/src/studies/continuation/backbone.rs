@@ -248,18 +248,7 @@ impl Zeros for Free<'_, '_> {
             ..Facts::default()
         };
         let phase = Some((phase, y[..n].to_vec()));
-        let mut local = Local {
-            scales,
-            jacobian,
-            rows: Vec::new(),
-            own: Vec::new(),
-            residual: Vec::new(),
-            basis,
-            states: varied.states,
-            phase,
-            turning: None,
-            facts,
-        };
+        let mut local = Local { scales, jacobian, basis, states: varied.states, phase, facts, ..Local::default() };
         local.residual = missed(&turned, y, &local);
         Ok(local)
     }

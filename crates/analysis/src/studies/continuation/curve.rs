@@ -15,7 +15,7 @@ pub(super) const FIRST: f64 = 0.01;
 /// Longest step, of scaled length: a branch over the whole range has twenty points at least, and its picture no corners.
 const LONGEST: f64 = 0.05;
 /// A step below this share of the range cannot be told from rounding of the corrections.
-const SHORTEST: f64 = 1e-12;
+const SHORTEST: f64 = 1e-9;
 /// Cosine of the angle between the tangents at both ends of a step: beyond some 25 degrees a chord says nothing of the way.
 const STRAIGHT: f64 = 0.9;
 /// The angle that a step aims at, rad.

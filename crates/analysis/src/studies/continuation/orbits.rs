@@ -185,6 +185,21 @@ fn own_sizes(machine: &crate::Machine, extremes: &[[f64; 2]], scales: &[f64]) ->
     (0..scales.len()).map(of).map(|size| if size.is_finite() { size } else { 1.0 }).collect()
 }
 
+/// Whether a motion with these multipliers is stable; none where they do not decide it.
+fn decided(multipliers: &[Multiplier]) -> Option<bool> {
+    match verdict(multipliers) {
+        Verdict::Stable => Some(true),
+        Verdict::Unstable => Some(false),
+        Verdict::Limit => None,
+    }
+}
+
+/// The rates at the start, of length one in scales: across them the start is fixed.
+fn phase_row(varied: &Varied, scales: &[f64]) -> Vec<f64> {
+    let size = varied.rates.iter().zip(scales).map(|(r, s)| (r / s) * (r / s)).sum::<f64>().sqrt();
+    varied.rates.iter().map(|r| r / size).collect()
+}
+
 /// What the states that return are missed by, in scales, at most.
 fn missed_in(turned: &Turned<'_>, states: &[usize], scales: &[f64]) -> f64 {
     let gap = turned.gap();
@@ -272,43 +287,24 @@ impl Zeros for Orbits<'_, '_> {
         basis.pop();
         basis.push(with_parameter.iter().zip(&scales).map(|(change, scale)| change / scale).collect());
         let turning = if last > n { steady_turn(&turned, &varied, (y, coordinates)) } else { None };
-        let phase = (last > n).then(|| {
-            let size = varied.rates.iter().zip(&scales).map(|(r, s)| (r / s) * (r / s)).sum::<f64>().sqrt();
-            (varied.rates.iter().map(|r| r / size).collect::<Vec<f64>>(), y[..n].to_vec())
-        });
+        let phase = (last > n).then(|| (phase_row(&varied, &scales), y[..n].to_vec()));
         let multipliers = varied.multipliers.clone();
         let facts = Facts {
             period: turned.period(),
             extremes: turned.extremes(coordinates),
-            stable: multipliers.as_deref().and_then(|m| match verdict(m) {
-                Verdict::Stable => Some(true),
-                Verdict::Unstable => Some(false),
-                Verdict::Limit => None,
-            }),
+            stable: multipliers.as_deref().and_then(decided),
             multipliers,
-            energy: None,
             switches: turned.switches(),
             slowest,
             edge: turned.edge(),
-            miss: 0.0,
             liouville: varied.liouville,
             ..Facts::default()
         };
         let (machine, _) = self.family.at(y[last])?;
         let own = own_sizes(machine, &facts.extremes, &scales);
         let rows = vec![1.0; varied.states.len()];
-        let mut local = Local {
-            scales,
-            jacobian: Vec::new(),
-            rows,
-            own,
-            residual: Vec::new(),
-            basis,
-            states: varied.states.clone(),
-            phase,
-            turning,
-            facts,
-        };
+        let states = varied.states.clone();
+        let mut local = Local { scales, rows, own, basis, states, phase, turning, facts, ..Local::default() };
         let here = missed(&turned, y, &local);
         let by_parameter = self.slope(y, &here, &local)?;
         local.jacobian = jacobian(&varied, &local, &by_parameter);

@@ -343,8 +343,11 @@ fn flipped(place: &Place) -> Option<Vec<f64>> {
 /// Real parts of roots that leave the axis together, as a share of their size: a double root is known to the root of a rounding.
 const TOGETHER: f64 = 1e-6;
 
+/// Shapes of one frequency, rad/s.
+type Oscillations = (Vec<Vec<f64>>, f64);
+
 /// Shapes and frequency of the oscillation that neither grows nor decays; where several do at once also their sums, in phase and a quarter of a period apart.
-fn oscillating(machine: &mut crate::Machine, x: &[f64], place: &Place) -> Result<Option<(Vec<Vec<f64>>, f64)>, Fault> {
+fn oscillating(machine: &mut crate::Machine, x: &[f64], place: &Place) -> Result<Option<Oscillations>, Fault> {
     let n = x.len();
     let modes = machine.modes_by_value(0.0, x).unwrap_or_default();
     let mut rows = Vec::new();
