@@ -349,6 +349,9 @@ impl Search<'_> {
         let residual = worst(&rest_rows(&rows, z), z);
         let mut digits = below.get(..n).unwrap_or_default().to_vec();
         if !digits.is_empty() {
+            // the rounding of a rounding, where zero is meant
+            let nothing = |i: usize, low: f64| q[i] == 0.0 && low.abs() <= f64::EPSILON * f64::EPSILON * sizes[i];
+            digits.iter_mut().enumerate().filter(|(i, low)| nothing(*i, **low)).for_each(|(_, low)| *low = 0.0);
             digits.resize(n + reactions.len(), 0.0);
             for (c, r) in self.system.reactions.iter().enumerate() {
                 digits[n + r] = if is_noise(&rows, z, &sizes, n + c) { 0.0 } else { below[n + c] };
@@ -494,7 +497,9 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
 pub(super) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
     let n = sizes.len();
     let others = |r: &Row| r.slopes[..n].iter().zip(sizes).map(|(s, size)| s.abs() * size).sum::<f64>();
-    rows.forces.iter().filter(|r| r.slopes[column] != 0.0).all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * others(r))
+    // where nothing but reactions acts along a coordinate they balance one another, and that of the others tells
+    let mut acting = rows.forces.iter().filter(|r| r.slopes[column] != 0.0 && others(r) > 0.0).peekable();
+    acting.peek().is_some() && acting.all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * others(r))
 }
 
 /// An orthonormal basis of the null space of the places' rows.
