@@ -497,9 +497,10 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
 pub(super) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
     let n = sizes.len();
     let others = |r: &Row| r.slopes[..n].iter().zip(sizes).map(|(s, size)| s.abs() * size).sum::<f64>();
-    // where nothing but reactions acts along a coordinate they balance one another, and that of the others tells
-    let mut acting = rows.forces.iter().filter(|r| r.slopes[column] != 0.0 && others(r) > 0.0).peekable();
-    acting.peek().is_some() && acting.all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * others(r))
+    // a force that the coordinates do not change tells nothing of its rounding: the largest of the others does
+    let largest = rows.forces.iter().map(others).fold(0.0, f64::max);
+    let beside = |r: &Row| Some(others(r)).filter(|size| *size > 0.0).unwrap_or(largest);
+    rows.forces.iter().filter(|r| r.slopes[column] != 0.0).all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * beside(r))
 }
 
 /// An orthonormal basis of the null space of the places' rows.
