@@ -184,6 +184,17 @@ pub struct Graph {
     symbol_index: FxHashMap<Symbol, SymbolId>,
 }
 
+impl Node {
+    /// Whether it has another law on both sides of a value: a switch, |x|, sgn x, min, max.
+    pub fn switches(&self) -> bool {
+        match self {
+            Node::Switch { .. } => true,
+            Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
+            _ => false,
+        }
+    }
+}
+
 impl Graph {
     /// An empty graph.
     pub fn new() -> Graph {

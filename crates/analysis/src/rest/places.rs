@@ -190,7 +190,7 @@ impl Search<'_> {
         self.search(start, options)?;
         // what grew together since
         for place in std::mem::take(&mut self.found.list) {
-            if !self.join(&place.q) {
+            if place.closed != self.closed || !self.join(&place.q) {
                 self.found.list.push(place);
             }
         }
@@ -315,9 +315,7 @@ impl Search<'_> {
             if !search::ACROSS.into_iter().all(|share| self.rests_at(&between(share)).is_some()) {
                 continue;
             }
-            let apart = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-            let far = if apart(&a, q) >= apart(&b, q) { &a } else { &b };
-            return Some((k, if apart(far, q) > apart(&a, &b) { [far.clone(), q.to_vec()] } else { [a, b] }));
+            return Some((k, search::widened(&[a, b], q)));
         }
         None
     }
@@ -329,7 +327,8 @@ impl Search<'_> {
         let mut z = self.system.z(&q);
         balance(&mut self.system, &mut z).ok()?;
         let rows = self.system.at(&z).ok()?;
-        (worst(&rest_rows(&rows, &z), &z) <= search::FLAT).then_some(z)
+        // each force beside its own terms: the large ones of other coordinates hide none
+        rows.forces.iter().all(|row| newton::relative(row, &z) <= search::FLAT).then_some(z)
     }
 
     /// A place with its reactions.

@@ -148,6 +148,8 @@ pub(crate) struct Rest {
     pub(crate) residual: f64,
     pub(crate) stable: Option<bool>,
     pub(crate) symmetric: bool,
+    /// Whether some motion is free of all forces.
+    pub(crate) singular: bool,
 }
 
 pub(crate) struct Search<'s, S: ?Sized> {
@@ -379,7 +381,8 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
         // derivatives of a potential are symmetric to rounding; a follower force is off by its whole size
         let symmetric = (0..n).all(|i| (0..i).all(|j| (k(i, j) - k(j, i)).abs() <= 1e-9 * (k(i, j).abs() + k(j, i).abs())));
         let even: Vec<f64> = (0..n * n).map(|p| 0.5 * (k(p / n, p % n) + k(p % n, p / n))).collect();
-        Rest { residual: self.residual(&x), stable: positive_definite(&even, n), symmetric, q: x[..n].to_vec() }
+        let singular = Lu::new(&self.jacobian, n).null_direction().is_some();
+        Rest { residual: self.residual(&x), stable: positive_definite(&even, n), symmetric, singular, q: x[..n].to_vec() }
     }
 
     fn neutral(&self, lu: &Lu) -> Fault {
@@ -448,10 +451,17 @@ const FARTHER: [f64; 4] = [1e-4, 1e-3, 1e-2, 0.1];
 const CLEAR: f64 = 1e-9;
 /// Shares of the way between two places at which forces are looked at, the middle first.
 pub(crate) const ACROSS: [f64; 5] = [0.5, 0.13, 0.31, 0.71, 0.89];
-/// A force below this share of the terms that meet in it is rounding there: some hundred units in the last place.
-pub(crate) const FLAT: f64 = 1e-13;
+/// A force below this share of the terms that meet in it is rounding there: some ten units in the last place.
+pub(crate) const FLAT: f64 = 1e-14;
 /// So near, as a share of their sizes, two places may be one.
 pub(crate) const BESIDE: f64 = 1e-2;
+
+/// The ends of what is one place, with one more: those that are farthest apart.
+pub(crate) fn widened([a, b]: &[Vec<f64>; 2], q: &[f64]) -> [Vec<f64>; 2] {
+    let apart = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+    let far = if apart(a, q) >= apart(b, q) { a } else { b };
+    if apart(far, q) > apart(a, b) { [far.clone(), q.to_vec()] } else { [a.clone(), b.clone()] }
+}
 
 /// A force below this share of the largest along a range may touch zero.
 const TOUCHING: f64 = 1e-5;

@@ -10,7 +10,7 @@ use words::Text;
 use crate::audits::worst;
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::rest::newton::RESIDUAL;
-use crate::rest::search::{BESIDE, ONE, Rest, Search, Searched, Statics, nothing_between};
+use crate::rest::search::{BESIDE, ONE, Rest, Search, Searched, Statics, nothing_between, widened};
 use crate::{Quantity, System};
 
 use super::simulate::Outcome;
@@ -114,7 +114,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
             "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
         ));
     }
-    if options.over.is_none() && n > 1 && found.iter().any(|rest| rest.stable.is_none() && rest.symmetric) {
+    if options.over.is_none() && n > 1 && found.iter().any(|rest| rest.stable.is_none() && (rest.symmetric || rest.singular)) {
         dataset.notes.push(neutral());
     }
     // a guess that failed matters only when nothing was found, a free motion always
@@ -139,17 +139,14 @@ fn one<S: Statics + ?Sized>(
     let rates = (2 * n).min(x.len());
     x[n..rates].fill(0.0);
     let sizes = search.sizes.clone();
-    let joined = flat.iter_mut().enumerate().find_map(|(k, [a, b])| {
+    let joined = flat.iter_mut().enumerate().find_map(|(k, ends)| {
+        let [a, b] = &*ends;
         if !sizes.same([a, &rest.q], &start[..n], BESIDE) && !sizes.same([b, &rest.q], &start[..n], BESIDE) {
             return None;
         }
         search.between([a, &rest.q], &x)?;
-        let apart = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-        // the farther of both ends stays
-        let far = if apart(a, &rest.q) >= apart(b, &rest.q) { a.clone() } else { b.clone() };
-        if apart(&far, &rest.q) > apart(a, b) {
-            (*a, *b) = (far, rest.q.clone());
-        }
+        *ends = widened(ends, &rest.q);
+        let [a, b] = &*ends;
         Some((k, search.between([a, b], &x)?))
     });
     if joined.is_none() {

@@ -11,7 +11,7 @@ use algebra::elementary;
 use algebra::random::Random;
 use algebra::vectors::{Basis, norm};
 use rustc_hash::FxHashMap;
-use symbolic::{Expr, Function, Graph, Node, SymbolId};
+use symbolic::{Expr, Graph, Node, SymbolId};
 
 /// Points that must show the zero.
 const POINTS: usize = 5;
@@ -134,11 +134,7 @@ fn has_hidden_zero(graph: &Graph, e: Expr) -> bool {
 
 /// Whether nothing switches below these expressions.
 fn is_analytic(graph: &Graph, roots: &[Expr]) -> bool {
-    !graph.reachable(roots).iter().any(|e| match graph.node(*e) {
-        Node::Switch { .. } => true,
-        Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
-        _ => false,
-    })
+    !graph.reachable(roots).iter().any(|e| graph.node(*e).switches())
 }
 
 /// What the numbers of one point show of an expression.

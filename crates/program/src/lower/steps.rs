@@ -11,7 +11,7 @@
 //! An acceleration does not show such a jump: between two constant speeds it is zero on both sides. So these velocities stand among the results of the
 //! dynamics, which makes their switches guards at which the integrator stops.
 
-use symbolic::{Equations, Expr, Function, Graph, Node, Substitution};
+use symbolic::{Equations, Expr, Graph, Substitution};
 
 /// The velocities with switches, over a graph that has them.
 pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
@@ -23,7 +23,7 @@ pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
                 roots.push(d.formula);
             }
         }
-        graph.reachable(&roots).into_iter().any(|e| is_switch(graph.node(e)))
+        graph.reachable(&roots).into_iter().any(|e| graph.node(e).switches())
     };
     let may = |e: Expr| switches(&equations.graph, e);
     let carried = || equations.balances.iter().filter_map(|balance| balance.carried);
@@ -47,12 +47,4 @@ pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
     list.extend(placed());
     list.retain(|e| switches(&graph, *e));
     (!list.is_empty()).then_some((graph, list))
-}
-
-fn is_switch(node: &Node) -> bool {
-    match node {
-        Node::Switch { .. } => true,
-        Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
-        _ => false,
-    }
 }

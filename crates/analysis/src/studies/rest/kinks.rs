@@ -4,8 +4,8 @@
 //! linear, their period is a mean of both sides, and either side may repel.
 
 use crate::linear::{LinearMachine, Matrices, Place, largest};
+use symbolic::Equations;
 use symbolic::linear::About;
-use symbolic::{Equations, Function, Node};
 use words::Text;
 
 /// How far places beside it lie, as a share of the largest coordinate of the unit: beyond what a place of rest is known to.
@@ -61,14 +61,8 @@ fn is_kink_of_places(machine: &mut LinearMachine, place: &Place) -> bool {
 /// Whether a law of another form on both sides of a value is one of rates.
 fn switches_with_rates(equations: &Equations) -> bool {
     let graph = &equations.graph;
-    graph.reachable(&equations.force).into_iter().any(|e| {
-        let switches = match graph.node(e) {
-            Node::Switch { .. } => true,
-            Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
-            _ => false,
-        };
-        switches && graph.contains(e, |s| equations.coordinates.iter().any(|c| c.symbols[1] == s))
-    })
+    let of_rates = |e| graph.contains(e, |s| equations.coordinates.iter().any(|c| c.symbols[1] == s));
+    graph.reachable(&equations.force).into_iter().any(|e| graph.node(e).switches() && of_rates(e))
 }
 
 /// Whether damping, or a force itself, is another one for slow motion forth and back.
