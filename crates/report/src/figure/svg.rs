@@ -88,7 +88,10 @@ impl Draw<'_> {
         }
         for (i, ((row, x), series)) in entries.into_iter().zip(&self.figure.series).enumerate() {
             let y = self.layout.legend + (row as f64 + 0.5) * LEGEND_ROW;
-            let _ = write!(self.out, "<path d=\"M{x:.1} {y:.1}h34\" {}/>", stroke(i));
+            let _ = match series.pen {
+                Pen::Line => write!(self.out, "<path d=\"M{x:.1} {y:.1}h34\" {}/>", stroke(i)),
+                Pen::Dots => write!(self.out, "<path d=\"M{:.1} {y:.1}h0\" {}/>", x + 17.0, dotted(i, FEW)),
+            };
             let _ = write!(self.out, "<text x=\"{:.1}\" y=\"{:.1}\">", x + 42.0, y + 4.0);
             self.symbol(&series.name);
             if !series.label.is_empty() {
@@ -165,7 +168,7 @@ impl Draw<'_> {
                 // boundaries between tints are of no tint themselves
                 Pen::Line if self.figure.field.is_some() => (self.path(points), BOUNDARY.into()),
                 Pen::Line => (self.path(points), stroke(i)),
-                Pen::Dots => (self.dots(points), dotted(i)),
+                Pen::Dots => (self.dots(points), dotted(i, series.x.len())),
             };
             let _ = writeln!(self.out, "<path d=\"{path}\" {look}/>");
         }
@@ -332,11 +335,16 @@ impl Draw<'_> {
     }
 }
 
-/// Stroke attributes of the i-th curve.
-fn dotted(i: usize) -> String {
-    format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\"", style(i).0)
+/// So many dots are seen one by one; more make a curve or a cloud.
+const FEW: usize = 200;
+
+/// Stroke attributes of the dots of the i-th curve.
+fn dotted(i: usize, count: usize) -> String {
+    let width = if count > FEW { 3 } else { 6 };
+    format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\" stroke-linecap=\"round\"", style(i).0)
 }
 
+/// Stroke attributes of the i-th curve.
 fn stroke(i: usize) -> String {
     let (colour, dash) = style(i);
     let mut out = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{STROKE}\" stroke-linejoin=\"round\"");

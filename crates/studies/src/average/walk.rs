@@ -228,7 +228,8 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let curves = joined(&speeds.collect::<Vec<_>>(), &bends);
     results.body = Body::After(Arc::new(Shown {
         parameter: quantity(machine, name),
-        speed: "Ω".into(),
+        // where the parameter itself is called Ω, the speed of the shaft has the other letter
+        speed: if quantity(machine, name).symbol == "Ω" { "ω" } else { "Ω" }.into(),
         curves: curves.clone(),
         folds: folds.iter().map(|fold| [fold.value, fold.turn.speed]).collect(),
         runs: runs.clone(),

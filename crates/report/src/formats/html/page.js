@@ -55,7 +55,7 @@
   function swatch(series) {
     const colour = series.colour[isDark() ? 1 : 0];
     return element("span", {
-      html: `<svg width="30" height="8" aria-hidden="true"><path d="M0 4h30" stroke="${colour}" stroke-width="2" stroke-dasharray="${series.dash.join(" ")}"/></svg>`,
+      html: `<svg width="30" height="8" aria-hidden="true">${series.dots ? `<circle cx="15" cy="4" r="3" fill="${colour}"/>` : `<path d="M0 4h30" stroke="${colour}" stroke-width="2" stroke-dasharray="${series.dash.join(" ")}"/>`}</svg>`,
     }).firstChild;
   }
 

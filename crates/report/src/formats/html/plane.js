@@ -80,7 +80,8 @@ function Plane(host, figure, look, format, shown) {
       if (!visible[i]) return;
       c.strokeStyle = c.fillStyle = s.colour[theme.dark ? 1 : 0];
       if (s.dots) {
-        for (let k = 0; k < s.y.length; k++) if (s.x[k] != null && s.y[k] != null) { c.beginPath(); c.arc(px(s.x[k]), py(s.y[k]), 1.6, 0, 7); c.fill(); }
+        const radius = s.y.length > 200 ? 1.6 : 3;
+        for (let k = 0; k < s.y.length; k++) if (s.x[k] != null && s.y[k] != null) { c.beginPath(); c.arc(px(s.x[k]), py(s.y[k]), radius, 0, 7); c.fill(); }
         return;
       }
       c.setLineDash(s.dash);
