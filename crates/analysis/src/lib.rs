@@ -32,4 +32,4 @@ pub use dataset::Dataset;
 pub use fault::Fault;
 pub use linear::{LinearMachine, Matrices};
 pub use machine::Machine;
-pub use system::{Blow, Guard, GuardKind, Jacobian, Mode, Powers, Quantity, SingleBlow, Supply, System, Tie, Touch, TouchLaw};
+pub use system::{Blow, Guard, GuardKind, Jacobian, Mode, Powers, Quantity, Since, SingleBlow, Supply, System, Tie, Touch, TouchLaw};

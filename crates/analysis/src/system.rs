@@ -265,6 +265,17 @@ impl Layout {
     pub const BODY: usize = 19;
 }
 
+/// A state from which conditions on rates count what they keep.
+#[derive(Clone, Copy, Debug)]
+pub struct Since<'a> {
+    /// Its time, s.
+    pub t: f64,
+    /// Its states.
+    pub x: &'a [f64],
+    /// Guards of the contacts that have been closed, and of the frictions that have been sticking, ever since: what rolls on them has not slipped.
+    pub closed: &'a [usize],
+}
+
 /// A machine as studies see it.
 pub trait System {
     /// States in the order (q, q', s).
@@ -612,11 +623,11 @@ pub trait System {
         Ok(0.0)
     }
 
-    /// The same, where conditions on rates keep what they have kept since the state `from` of the same machine (its time, its states), if they are the derivative of something:
+    /// The same, where conditions on rates keep what they have kept since the state `from` of the same machine, if they are the derivative of something:
     /// wheels in mesh stay in the mesh in which they were mounted.
     ///
     /// *Errors*: as [`System::project`].
-    fn rejoin(&mut self, t: f64, x: &mut [f64], modes: &[Mode], from: (f64, &[f64])) -> Result<f64, Fault> {
+    fn rejoin(&mut self, t: f64, x: &mut [f64], modes: &[Mode], from: Since<'_>) -> Result<f64, Fault> {
         let _ = from;
         self.project(t, x, modes)
     }
@@ -624,7 +635,7 @@ pub trait System {
     /// What conditions on rates have gained since the state `from`, SI: zero along a motion. Zero also for a condition that has a place, or is the derivative of nothing.
     ///
     /// *Errors*: a formula has no value on the way.
-    fn kept(&mut self, t: f64, x: &[f64], modes: &[Mode], from: (f64, &[f64])) -> Result<Vec<f64>, Fault> {
+    fn kept(&mut self, t: f64, x: &[f64], modes: &[Mode], from: Since<'_>) -> Result<Vec<f64>, Fault> {
         let _ = (t, x, modes, from);
         Ok(Vec::new())
     }

@@ -6,7 +6,8 @@
 //! c(q, t) = ∫ (Σ J_j (q_j - q₀_j) + r (t - t₀)) ds = 0     along the straight way from (q₀, t₀) to (q, t), s = 0 ... 1
 //! ```
 //!
-//! Whoever looks for another motion of the same machine has to keep it: wheels mounted otherwise are another machine. A condition that is the derivative of nothing (a skate, a ball)
+//! Whoever looks for another motion of the same machine has to keep it: wheels mounted otherwise are another machine. So does what rolls on a contact that has not opened since,
+//! and what has been sticking since. A condition that is the derivative of nothing (a skate, a ball)
 //! keeps nothing. Which it is, the integral around triangles tells. Rolling on a circle in x, y and an angle is the derivative of something only on the circle: there triangles lie
 //! on the surface of the conditions on places, and ways, too (`connections::surface`).
 
@@ -33,8 +34,10 @@ const SMALLER: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 pub(super) struct Kept {
     /// By row; unknown until asked for.
     pub(super) forms: Option<Vec<Form>>,
-    /// Conditions on places that always hold.
+    /// Conditions on places that hold all along.
     pub(super) surface: Vec<usize>,
+    /// Contacts and frictions, by guard, whose conditions hold all along.
+    pub(super) closed: Vec<usize>,
     /// Time and coordinates of a state that keeps them; none while they are not counted.
     pub(super) from: Option<Instant>,
     /// c of each row at the last state.

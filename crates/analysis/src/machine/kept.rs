@@ -3,17 +3,12 @@
 use super::conditions::{Conditions, Holds, Row};
 use super::integrals::{Form, Rows};
 use crate::connections::surface::Instant;
-use crate::{Fault, Mode};
+use crate::{Fault, Mode, Since};
 use program::Bound;
 
 impl Conditions {
     /// See [`crate::System::rejoin`].
-    pub(super) fn rejoin(
-        &mut self,
-        (t, x): (f64, &mut [f64]),
-        (modes, bound): (&[Mode], &Bound),
-        from: (f64, &[f64]),
-    ) -> Result<f64, Fault> {
+    pub(super) fn rejoin(&mut self, (t, x): (f64, &mut [f64]), (modes, bound): (&[Mode], &Bound), from: Since<'_>) -> Result<f64, Fault> {
         self.count_from((modes, bound), from)?;
         let done = self.project(t, x, (modes, bound));
         self.kept.from = None;
@@ -21,12 +16,7 @@ impl Conditions {
     }
 
     /// See [`crate::System::kept`].
-    pub(super) fn kept_at(
-        &mut self,
-        (t, x): (f64, &[f64]),
-        (modes, bound): (&[Mode], &Bound),
-        from: (f64, &[f64]),
-    ) -> Result<Vec<f64>, Fault> {
+    pub(super) fn kept_at(&mut self, (t, x): (f64, &[f64]), (modes, bound): (&[Mode], &Bound), from: Since<'_>) -> Result<Vec<f64>, Fault> {
         self.count_from((modes, bound), from)?;
         let done = self.count(t, x);
         self.kept.from = None;
@@ -34,14 +24,19 @@ impl Conditions {
     }
 
     /// From now on conditions on rates have places, counted from this state.
-    fn count_from(&mut self, (modes, bound): (&[Mode], &Bound), (t, x): (f64, &[f64])) -> Result<(), Fault> {
+    fn count_from(&mut self, (modes, bound): (&[Mode], &Bound), Since { t, x, closed }: Since<'_>) -> Result<(), Fault> {
         self.sides.set(modes, bound);
         let base = (t, x[..self.n].to_vec());
-        if self.kept.forms.is_none() {
-            let placed = self.rows.iter().filter(|row| row.has_place && row.holds == Holds::Always);
+        if self.kept.forms.is_none() || self.kept.closed != closed {
+            self.kept.closed = closed.to_vec();
+            let lasts = |row: &&Row| match row.holds {
+                Holds::Always => true,
+                Holds::Sticking(guard, _) | Holds::Closed(guard, _) | Holds::Rough(guard) => closed.contains(&guard),
+            };
+            let placed = self.rows.iter().filter(|row| row.has_place && lasts(row));
             self.kept.surface = placed.map(|row| row.condition).collect();
-            let asked = |row: &Row| !row.has_place && row.holds == Holds::Always;
-            let asked: Vec<Option<usize>> = self.rows.iter().map(|row| asked(row).then_some(row.condition)).collect();
+            let asked = |row: &Row| (!row.has_place && lasts(&row)).then_some(row.condition);
+            let asked: Vec<Option<usize>> = self.rows.iter().map(asked).collect();
             let mut rows = self.still();
             let forms = asked.iter().map(|condition| condition.map_or(Ok(Form::None), |c| rows.form(c, &base)));
             self.kept.forms = Some(forms.collect::<Result<_, _>>()?);

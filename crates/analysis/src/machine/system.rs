@@ -11,7 +11,7 @@ use super::meaning::{Refusal, reads_accelerations};
 use super::switches::Switches;
 use super::{Machine, touching};
 use crate::system::{Bends, Corners, Layout, Motions};
-use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
+use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Since, Supply, System, Tie, Touch};
 
 impl System for Machine {
     fn states(&self) -> &[Quantity] {
@@ -374,11 +374,11 @@ impl System for Machine {
         self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.project(t, x, (modes, &self.bound)))
     }
 
-    fn rejoin(&mut self, t: f64, x: &mut [f64], modes: &[Mode], from: (f64, &[f64])) -> Result<f64, Fault> {
+    fn rejoin(&mut self, t: f64, x: &mut [f64], modes: &[Mode], from: Since<'_>) -> Result<f64, Fault> {
         self.conditions.as_mut().map_or(Ok(0.0), |conditions| conditions.rejoin((t, x), (modes, &self.bound), from))
     }
 
-    fn kept(&mut self, t: f64, x: &[f64], modes: &[Mode], from: (f64, &[f64])) -> Result<Vec<f64>, Fault> {
+    fn kept(&mut self, t: f64, x: &[f64], modes: &[Mode], from: Since<'_>) -> Result<Vec<f64>, Fault> {
         self.conditions.as_mut().map_or_else(|| Ok(Vec::new()), |conditions| conditions.kept_at((t, x), (modes, &self.bound), from))
     }
 

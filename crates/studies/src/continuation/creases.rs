@@ -97,7 +97,8 @@ fn about(machine: &Machine, (study, second): (&Branched, &Beside), (k, crease): 
     };
     let ([a, b], [c, d]) = (ends(0), ends(1));
     let (p, s) = (symbol(machine, &study.name), symbol(machine, &second.name));
-    let why: Vec<Text> = crease.curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
+    let mut why: Vec<Text> = crease.curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
+    why.dedup();
     let list = |pick: fn(&Text) -> &str| why.iter().map(pick).collect::<Vec<_>>().join("; ");
     let (en, ru) = match crease.what {
         What::Doubling => ("period doublings", "удвоений периода"),

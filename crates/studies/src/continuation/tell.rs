@@ -295,7 +295,8 @@ fn about(machine: &Machine, study: &Branched, (which, of): (usize, usize), curve
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     let (low, high, points) = (short(low), short(high), curve.places.len());
     let unit = unit(machine, &study.name);
-    let ends: Vec<Text> = curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
+    let mut ends: Vec<Text> = curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
+    ends.dedup();
     let list = |pick: fn(&Text) -> &str| ends.iter().map(pick).collect::<Vec<_>>().join("; ");
     let (en_ends, ru_ends) = (list(|t| &t.en), list(|t| &t.ru));
     let printed = |language| if unit == "1" { String::new() } else { format!(" {}", report::unit::print(&unit, language)) };

@@ -95,8 +95,12 @@ pub(super) fn whole(zeros: &mut dyn Zeros, y: Vec<f64>, of: Of, (options, diagra
         }
         known = Some(match known {
             Some(before) => before.then(curve),
-            None if sign < 0.0 => Curve { ends: [Some(End::Left), curve.ends[1].clone()], ..curve }.turned(),
-            None => Curve { ends: [Some(End::Left), curve.ends[1].clone()], ..curve },
+            // a curve that closes has no other end
+            None => {
+                let begin = if curve.ends[1] == Some(End::Closed) { End::Closed } else { End::Left };
+                let curve = Curve { ends: [Some(begin), curve.ends[1].clone()], ..curve };
+                if sign < 0.0 { curve.turned() } else { curve }
+            }
         });
     }
     if let Some(curve) = known {

@@ -7,7 +7,7 @@
 use super::normal;
 use super::zeros::{Facts, Family, Local, Sort, Zeros};
 use crate::studies::periodic::{Multiplier, tangent_of};
-use crate::{Fault, GuardKind, Machine, Mode, System};
+use crate::{Fault, GuardKind, Machine, Mode, Since, System};
 use algebra::eigen::general;
 use algebra::qr::{DEPENDENT, Qr};
 use words::{Message, Text};
@@ -185,7 +185,7 @@ impl Rests<'_> {
         let (machine, _) = self.family.at(y[last])?;
         let (n, modes) = (machine.n_coordinates(), modes(machine, &y[..last]));
         let assembled = machine.start()?;
-        machine.rejoin(0.0, &mut y[..last], &modes, (0.0, &assembled))?;
+        machine.rejoin(0.0, &mut y[..last], &modes, Since { t: 0.0, x: &assembled, closed: &[] })?;
         y[n..2 * n].fill(0.0);
         Ok(y)
     }

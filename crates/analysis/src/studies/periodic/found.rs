@@ -12,7 +12,7 @@ use super::turns::{self, Known, Turns};
 use super::variation::Care;
 use crate::dataset::Audit;
 use crate::integrate::taylor::Options;
-use crate::{Fault, Mode, System};
+use crate::{Fault, Mode, Since, System};
 use algebra::qr::{DEPENDENT, Qr};
 use std::f64::consts::TAU;
 
@@ -67,17 +67,18 @@ pub(super) enum Stride {
 /// States that can be chosen freely under the conditions, and the change of all states with each of them.
 pub(super) fn tangent<S: System + ?Sized>(
     system: &mut S,
-    (t, x, modes): (f64, &[f64], &[Mode]),
+    (place, modes): (Since<'_>, &[Mode]),
     scales: &[f64],
     first: Option<usize>,
     symmetry: &Symmetry,
 ) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
+    let (t, x) = (place.t, place.x);
     let n = x.len();
     let scales = &beside_others(system, scales)[..];
-    let rows = slopes::derivative(x, scales, |place| {
-        let mut place = place.to_vec();
-        system.rejoin(t, &mut place, modes, (t, x))?;
-        Ok(place)
+    let rows = slopes::derivative(x, scales, |beside| {
+        let mut beside = beside.to_vec();
+        system.rejoin(t, &mut beside, modes, place)?;
+        Ok(beside)
     })?;
     // scaled: entry (i, j) is the change of state i in its scale for a change of state j in its scale
     let p: Vec<f64> = (0..n * n).map(|k| rows[k / n][k % n] * scales[k % n] / scales[k / n]).collect();
@@ -207,7 +208,8 @@ impl Found<'_> {
         let next: Vec<f64> = self.orbit.first.iter().zip(gap).map(|(x, g)| x + g).collect();
         let mut held = next.clone();
         let bends = !self.symmetry.followers.is_empty();
-        let met = bends && system.rejoin(0.0, &mut held, &self.orbit.modes[0], (0.0, &self.orbit.first)).is_ok();
+        let closed = self.orbit.closed();
+        let met = bends && system.rejoin(0.0, &mut held, &self.orbit.modes[0], self.orbit.since(&closed)).is_ok();
         if met { held } else { next }
     }
 
@@ -362,7 +364,9 @@ impl Found<'_> {
             }
         }
         let orbit = ended.ok_or_else(|| unsettled(1.0, 1))?;
-        let (free, basis) = tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.scales, None, &self.symmetry)?;
+        let closed = orbit.closed();
+        let place = (orbit.since(&closed), &orbit.modes[0][..]);
+        let (free, basis) = tangent(system, place, &self.scales, None, &self.symmetry)?;
         Ok(Found { orbit, free, basis, ..self })
     }
 

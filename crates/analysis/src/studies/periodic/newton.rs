@@ -258,7 +258,8 @@ const TIDY: f64 = 1e-13;
 /// The start of a turn after a correction.
 fn moved<S: System + ?Sized>(system: &mut S, found: &Found<'_>, step: &[f64]) -> Result<Vec<f64>, Fault> {
     let mut x: Vec<f64> = found.orbit.first.iter().zip(step).map(|(x, d)| x + d).collect();
-    system.rejoin(0.0, &mut x, &found.orbit.modes[0], (0.0, &found.orbit.first))?;
+    let closed = found.orbit.closed();
+    system.rejoin(0.0, &mut x, &found.orbit.modes[0], found.orbit.since(&closed))?;
     Ok(x)
 }
 
@@ -673,7 +674,9 @@ impl<'o> Search<'_, 'o> {
     }
 
     pub(super) fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found<'o>, Fault> {
-        let (free, basis) = tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.scales, self.state, &self.symmetry)?;
+        let closed = orbit.closed();
+        let place = (orbit.since(&closed), &orbit.modes[0][..]);
+        let (free, basis) = tangent(system, place, &self.scales, self.state, &self.symmetry)?;
         Ok(Found {
             orbit,
             coordinates: system.n_coordinates(),

@@ -5,7 +5,7 @@ use crate::integrate::Step;
 use crate::integrate::crossings::Switch;
 use crate::integrate::crossings::roots::RootFinder;
 use crate::integrate::taylor::{Flow, Options};
-use crate::{Fault, Mode, System};
+use crate::{Fault, Mode, Since, System};
 
 /// Where a turn ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +54,21 @@ pub(super) struct Orbit {
     pub(super) first: Vec<f64>,
     pub(super) last: Vec<f64>,
     pub(super) modes: [Vec<Mode>; 2],
+}
+
+impl Orbit {
+    /// Contacts and frictions, by guard, that hold all along the turn.
+    pub(super) fn closed(&self) -> Vec<usize> {
+        let [begin, end] = &self.modes;
+        let holds = |modes: &[Mode], guard: usize| modes.get(guard) == Some(&Mode::Zero);
+        let all = |guard: &usize| holds(begin, *guard) && holds(end, *guard) && self.steps.iter().all(|step| holds(&step.modes, *guard));
+        (0..begin.len()).filter(all).collect()
+    }
+
+    /// Its start, from which conditions on rates count what they keep; `closed` as [`Orbit::closed`].
+    pub(super) fn since<'a>(&'a self, closed: &'a [usize]) -> Since<'a> {
+        Since { t: 0.0, x: &self.first, closed }
+    }
 }
 
 /// A section passed within this share of the time so far of a switch is passed at the switch.

@@ -13,7 +13,7 @@ use super::variation::Care;
 use crate::integrate::Step;
 use crate::integrate::crossings::{Change, Switch};
 use crate::integrate::taylor::{Flow, Options};
-use crate::{Fault, Mode, System};
+use crate::{Fault, Mode, Since, System};
 
 /// What a regime tells of all its neighbours: scales, symmetries, whole turns that the laws do not feel.
 pub(in crate::studies) struct Shooting<'o> {
@@ -63,7 +63,8 @@ impl<'o> Shooting<'o> {
     /// *Errors*: a formula of connections without a value on the way.
     pub(in crate::studies) fn assembled<S: System + ?Sized>(&mut self, system: &mut S, state: &[f64]) -> Result<(), Fault> {
         let Found { orbit, turns, .. } = &self.found;
-        let mut kept = |x: &[f64]| system.kept(0.0, x, &orbit.modes[0], (0.0, state));
+        let since = Since { t: 0.0, x: state, closed: &orbit.closed() };
+        let mut kept = |x: &[f64]| system.kept(0.0, x, &orbit.modes[0], since);
         let gained = kept(&orbit.first)?;
         if gained.iter().any(|c| *c != 0.0) {
             let apart = || orbit.first.iter().zip(state).map(|(x, begin)| x - begin).collect();
@@ -148,7 +149,11 @@ impl<'o> Shooting<'o> {
         // what follows is told from what is free by the directions of the start
         let (free, basis) = match self.found.symmetry.followers.is_empty() {
             true => (Vec::new(), Vec::new()),
-            false => tangent(system, (0.0, &orbit.first, &orbit.modes[0]), &self.found.scales, None, &self.found.symmetry)?,
+            false => {
+                let closed = orbit.closed();
+                let place = (orbit.since(&closed), &orbit.modes[0][..]);
+                tangent(system, place, &self.found.scales, None, &self.found.symmetry)?
+            }
         };
         Ok(Turned(Found {
             orbit,
@@ -170,7 +175,8 @@ impl<'o> Shooting<'o> {
     /// *Errors*: they cannot be met nearby.
     pub(in crate::studies) fn seat<S: System + ?Sized>(&self, system: &mut S, x: &mut [f64], assembled: &[f64]) -> Result<(), Fault> {
         let from: Vec<f64> = assembled.iter().zip(&self.wound).map(|(x, turns)| x + turns).collect();
-        system.rejoin(0.0, x, &self.found.orbit.modes[0], (0.0, &from)).map(|_| ())
+        let closed = self.found.orbit.closed();
+        system.rejoin(0.0, x, &self.found.orbit.modes[0], Since { t: 0.0, x: &from, closed: &closed }).map(|_| ())
     }
 
     /// What becomes of small changes.
@@ -178,7 +184,9 @@ impl<'o> Shooting<'o> {
     /// *Errors*: S054 and S055 where there is no derivative, S122 over a change point.
     pub(in crate::studies) fn vary<S: System + ?Sized>(&self, system: &mut S, turned: &mut Turned<'_>) -> Result<Varied, Fault> {
         let found = &mut turned.0;
-        let (free, basis) = tangent(system, (0.0, &found.orbit.first, &found.orbit.modes[0]), &found.scales, None, &found.symmetry)?;
+        let closed = found.orbit.closed();
+        let place = (found.orbit.since(&closed), &found.orbit.modes[0][..]);
+        let (free, basis) = tangent(system, place, &found.scales, None, &found.symmetry)?;
         (found.free, found.basis) = (free, basis);
         let (turn, blur) = found.turn(system)?;
         let multipliers = if blur == Blur::None { Some(spectrum(&turn, self.seed)?.multipliers) } else { None };
@@ -317,10 +325,10 @@ impl Shooting<'_> {
 /// *Errors*: those of the connections.
 pub(in crate::studies) fn tangent_of<S: System + ?Sized>(
     system: &mut S,
-    place: (f64, &[f64], &[Mode]),
+    (t, x, modes): (f64, &[f64], &[Mode]),
     scales: &[f64],
 ) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
-    tangent(system, place, scales, None, &Symmetry::default())
+    tangent(system, (Since { t, x, closed: &[] }, modes), scales, None, &Symmetry::default())
 }
 
 /// Parts of a step at which a rate is looked at for a change of its sign.

@@ -6,7 +6,7 @@
 
 use super::orbit::Orbit;
 use super::slopes::{Known, WIDTH, derivative, slopes};
-use crate::{Fault, Mode, System};
+use crate::{Fault, Mode, Since, System};
 use algebra::qr::Qr;
 use algebra::random::Random;
 
@@ -79,7 +79,8 @@ pub(super) fn find<S: System + ?Sized>(
     let sizes: Vec<f64> = places.iter().map(|&i| scales[i]).chain([orbit.period]).collect();
     let columns = places.len() + 1;
     let samples = samples(system, orbit, scales);
-    let mut table = Table { samples, places: places.clone(), sizes: sizes.clone(), noise: EXACT, matrix: Vec::new(), norms: Vec::new() };
+    let (closed, matrix, norms) = (orbit.closed(), Vec::new(), Vec::new());
+    let mut table = Table { samples, closed, places: places.clone(), sizes: sizes.clone(), noise: EXACT, matrix, norms };
     for k in 0..table.samples.len() {
         rows(system, k, scales, orbit.period, &mut table)?;
     }
@@ -138,6 +139,8 @@ struct Sample {
 /// Scaled derivatives of the laws by places and time.
 struct Table {
     samples: Vec<Sample>,
+    /// Contacts and frictions, by guard, that hold all along the motion.
+    closed: Vec<usize>,
     /// States that are coordinates or auxiliary.
     places: Vec<usize>,
     /// Their scales, then that of time.
@@ -196,7 +199,7 @@ fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64],
     let Sample { t, x, modes, .. } = &table.samples[sample];
     let mut moved = |time: f64, place: &[f64]| {
         let mut place = place.to_vec();
-        system.rejoin(time, &mut place, modes, (*t, x))?;
+        system.rejoin(time, &mut place, modes, Since { t: *t, x, closed: &table.closed })?;
         Ok(place)
     };
     let by_state = derivative(x, scales, |place| moved(*t, place))?;

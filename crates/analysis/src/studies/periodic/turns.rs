@@ -9,7 +9,7 @@
 
 use super::orbit::Orbit;
 use super::symmetry::{self, Symmetry};
-use crate::{Fault, System};
+use crate::{Fault, Since, System};
 use algebra::qr::{DEPENDENT, Qr};
 use std::f64::consts::TAU;
 
@@ -142,6 +142,7 @@ fn kept<S: System + ?Sized>(system: &mut S, (orbit, elapsed): (&Orbit, f64), (pe
     // rounding of the end of a period
     let within = |t: f64| t + period <= begin + elapsed * (1.0 + SAME);
     let stride = orbit.steps.len().div_ceil(PLACES).max(1);
+    let closed = orbit.closed();
     orbit.steps.iter().step_by(stride).filter(|s| s.start.high == begin || within(s.start.high)).all(|step| {
         let (t, n) = (step.start.high, orbit.first.len());
         let x: Vec<f64> = (0..n).map(|i| step.start_value(i)).collect();
@@ -149,7 +150,8 @@ fn kept<S: System + ?Sized>(system: &mut S, (orbit, elapsed): (&Orbit, f64), (pe
         let far = within(t).then(|| orbit.state_at((t + period).min(begin + elapsed)));
         let gain = |i: usize| far.as_ref().map_or((orbit.last[i] - orbit.first[i]) / elapsed * period, |y| y[i] - x[i]);
         let gains: Vec<f64> = (0..n).map(|i| gain(i) - carried[i] * period).collect();
-        let from = far.as_ref().map_or((t, &x[..]), |y| (t + period, &y[..]));
+        let (begun, start) = far.as_ref().map_or((t, &x[..]), |y| (t + period, &y[..]));
+        let from = Since { t: begun, x: start, closed: &closed };
         let carried: Vec<f64> = x.iter().zip(carried).map(|(x, v)| x + v * period).collect();
         let mut change = |there: &[f64]| -> Option<Vec<f64>> {
             let mut held = there.to_vec();
@@ -224,15 +226,16 @@ pub(super) fn carried<S: System + ?Sized>(
 fn prescribed<S: System + ?Sized>(system: &mut S, trial: &Orbit, period: f64, known: &Known<'_>) -> Vec<f64> {
     let (x, modes, mut velocities) = (&trial.first, &trial.modes[0], vec![0.0; trial.first.len()]);
     let begin = trial.steps.first().map_or(0.0, |s| s.start.high);
+    let since = Since { t: begin, x, closed: &trial.closed() };
     let mut later = x.clone();
-    if system.rejoin(begin + period, &mut later, modes, (begin, x)).is_err() {
+    if system.rejoin(begin + period, &mut later, modes, since).is_err() {
         return velocities;
     }
     let n = system.n_coordinates();
     for i in (0..n).filter(|i| later[*i] != x[*i]) {
         let mut aside = x.clone();
         aside[i] += ASIDE * known.scales[i];
-        let back = system.rejoin(begin, &mut aside, modes, (begin, x)).is_ok();
+        let back = system.rejoin(begin, &mut aside, modes, since).is_ok();
         if back && (aside[i] - x[i]).abs() <= SAME * ASIDE * known.scales[i] {
             velocities[i] = (later[i] - x[i]) / period;
         }
