@@ -5,9 +5,12 @@
 //! branch point         det | J  |      t tangent: the rank of J falls
 //!                          | t' |     (rounding all along a branch with a neutral direction, and no test there)
 //! period doubling      Π (μ_i + 1)
-//! torus                Π_(i<j) (μ_i μ_j - 1)          of a pair that leaves the unit circle, not of two real multipliers
-//! Hopf point           Π_(i<j) (λ_i + λ_j)            the same of roots
+//! torus                Π_(i<j) (1 - μ_i μ_j)          of a pair that leaves the unit circle, not of two real multipliers
+//! Hopf point           Π_(i<j) (-λ_i - λ_j)           the same of roots
 //! ```
+//!
+//! A contact that sticks or closes just where the period begins takes directions away, and their multipliers 0 with them. Each factor is positive for what is stable, so
+//! that the number of factors has no part in the sign of a product; determinants are counted with the sign of -J for the same reason.
 //!
 //! *Source*: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, 10.
 
@@ -24,13 +27,14 @@ pub(super) fn at(place: &Place, sort: Sort) -> Signs {
     let last = place.y.len() - 1;
     let m = k - 1;
     let square: Vec<f64> = (0..m * m).map(|e| place.local.jacobian[e / m * k + e % m]).collect();
+    let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
     let numbers = place.local.facts.multipliers.as_deref();
     let pair = numbers.and_then(|numbers| pair(numbers, sort));
     Signs {
         fold: place.tangent[last] / place.local.scales[last],
-        branch: Lu::exact(&matrix, k).map_or(0.0, |lu| lu.determinant()),
+        branch: Lu::exact(&matrix, k).map_or(0.0, |lu| sign * lu.determinant()),
         neutral: Even::new(&matrix, &place.local, sort).count(),
-        square: Lu::exact(&square, m).map_or(0.0, |lu| lu.determinant()),
+        square: Lu::exact(&square, m).map_or(0.0, |lu| sign * lu.determinant()),
         doubling: numbers.filter(|_| sort == Sort::Multipliers).map(doubling),
         pair: pair.map(|pair| pair.0),
         paired: pair.is_some_and(|pair| pair.1 == Bond::Known),
@@ -64,7 +68,7 @@ fn pair(numbers: &[Multiplier], sort: Sort) -> Option<(f64, Bond)> {
             if complex::abs(value) <= error {
                 known = Bond::Known;
             }
-            product *= value;
+            product *= -value;
         }
     }
     (list.len() > 1).then_some((product.re, known))
