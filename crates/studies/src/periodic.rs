@@ -517,9 +517,9 @@ fn one_of_a_family(regime: &Regime) -> Option<Text> {
     let is_one = |m: &&Multiplier| !m.trivial && algebra::elementary::hypot(m.re - 1.0, m.im) <= m.error.max(FAMILY);
     regime.multipliers.iter().find(is_one).map(|_| {
         Text::new(
-            "A multiplier 1 besides the shift: the regime is one of a family, as the motions of a machine without damping are. The search gives the member that it \
-             met; its size and its period may differ from those of the motion from the given start, for which `simulate` with a named event is the answer.",
-            "Кроме сдвига есть ещё мультипликатор 1: режим принадлежит семейству, как движения машины без сопротивления. Найден тот из них, к которому привёл поиск; \
+            "A multiplier 1 besides the shift: the regime is one of a family, as the motions of a machine without damping are, or those with a friction that sticks \
+             all along at one place or another. The search gives the member that it met; its size and its period may differ from those of the motion from the given start, for which `simulate` with a named event is the answer.",
+            "Кроме сдвига есть ещё мультипликатор 1: режим принадлежит семейству, как движения машины без сопротивления или движения, в которых трение всё время удерживает тело в том или ином месте. Найден тот из них, к которому привёл поиск; \
              его размах и период могут отличаться от размаха и периода движения из заданного начала — для него служит `simulate` с именованным событием.",
         )
     })

@@ -175,6 +175,11 @@ impl Walk<'_> {
     }
 }
 
+/// The letter of the shaft's speed; where the parameter itself is called Ω, the other one.
+fn letter(parameter: &Quantity) -> String {
+    if parameter.symbol == "Ω" { "ω" } else { "Ω" }.into()
+}
+
 /// Fills in the results.
 pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, watch: &mut Watch) -> Result<(), Notice> {
     let (angle, speeds, instant) = asked_for(asked, POINTS)?;
@@ -227,9 +232,8 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let speeds = found.iter().map(|(value, list)| (*value, list.iter().map(|s| (s.turn.speed, s.stable)).collect()));
     let curves = joined(&speeds.collect::<Vec<_>>(), &bends);
     results.body = Body::After(Arc::new(Shown {
+        speed: letter(&quantity(machine, name)),
         parameter: quantity(machine, name),
-        // where the parameter itself is called Ω, the speed of the shaft has the other letter
-        speed: if quantity(machine, name).symbol == "Ω" { "ω" } else { "Ω" }.into(),
         curves: curves.clone(),
         folds: folds.iter().map(|fold| [fold.value, fold.turn.speed]).collect(),
         runs: runs.clone(),

@@ -1,7 +1,7 @@
 //! Curves of folds, period doublings, Hopf and torus points: fields of JSON, sentences and their picture.
 
 use super::asked::{Beside, Branched, symbol, unit};
-use super::phrases::{end_in_words, name, state};
+use super::phrases::{end_in_words, ends_in_words, name, state};
 use crate::machine::Machine;
 use crate::results::{Fact, Results};
 use analysis::Quantity;
@@ -97,8 +97,7 @@ fn about(machine: &Machine, (study, second): (&Branched, &Beside), (k, crease): 
     };
     let ([a, b], [c, d]) = (ends(0), ends(1));
     let (p, s) = (symbol(machine, &study.name), symbol(machine, &second.name));
-    let mut why: Vec<Text> = crease.curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
-    why.dedup();
+    let why = ends_in_words(machine, &crease.curve.ends);
     let list = |pick: fn(&Text) -> &str| why.iter().map(pick).collect::<Vec<_>>().join("; ");
     let (en, ru) = match crease.what {
         What::Doubling => ("period doublings", "удвоений периода"),

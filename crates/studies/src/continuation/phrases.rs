@@ -41,6 +41,12 @@ fn resonance(order: usize) -> Text {
     )
 }
 
+/// Why a curve ends, at its beginning and at its end; one that closes has one reason.
+pub(super) fn ends_in_words(machine: &Machine, ends: &[Option<End>; 2]) -> Vec<Text> {
+    let count = if ends[0] == Some(End::Closed) { 1 } else { 2 };
+    ends[..count].iter().flatten().map(|end| end_in_words(machine, end)).collect()
+}
+
 /// Why a branch ends.
 pub(super) fn end_in_words(machine: &Machine, end: &End) -> Text {
     let text = Text::new;

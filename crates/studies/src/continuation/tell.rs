@@ -3,7 +3,7 @@
 use super::asked::{Branched, coordinates, symbol, unit};
 use super::beside::Spine;
 use super::creases;
-use super::phrases::{end_in_words, name, state};
+use super::phrases::{end_in_words, ends_in_words, name, state};
 use super::show::Shown;
 use crate::equilibrium;
 use crate::machine::Machine;
@@ -295,8 +295,7 @@ fn about(machine: &Machine, study: &Branched, (which, of): (usize, usize), curve
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     let (low, high, points) = (short(low), short(high), curve.places.len());
     let unit = unit(machine, &study.name);
-    let mut ends: Vec<Text> = curve.ends.iter().flatten().map(|end| end_in_words(machine, end)).collect();
-    ends.dedup();
+    let ends = ends_in_words(machine, &curve.ends);
     let list = |pick: fn(&Text) -> &str| ends.iter().map(pick).collect::<Vec<_>>().join("; ");
     let (en_ends, ru_ends) = (list(|t| &t.en), list(|t| &t.ru));
     let printed = |language| if unit == "1" { String::new() } else { format!(" {}", report::unit::print(&unit, language)) };

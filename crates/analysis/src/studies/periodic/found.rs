@@ -12,7 +12,7 @@ use super::turns::{self, Known, Turns};
 use super::variation::Care;
 use crate::dataset::Audit;
 use crate::integrate::taylor::Options;
-use crate::{Fault, Mode, Since, System};
+use crate::{Fault, GuardKind, Mode, Since, System};
 use algebra::qr::{DEPENDENT, Qr};
 use std::f64::consts::TAU;
 
@@ -368,6 +368,19 @@ impl Found<'_> {
         let place = (orbit.since(&closed), &orbit.modes[0][..]);
         let (free, basis) = tangent(system, place, &self.scales, None, &self.symmetry)?;
         Ok(Found { orbit, free, basis, ..self })
+    }
+
+    /// The same with the directions in which what sticks can be moved: the search keeps its place, but no condition does, and a disturbance leaves it elsewhere.
+    pub(super) fn disturbed<S: System + ?Sized>(self, system: &mut S) -> Result<Self, Fault> {
+        let mut closed = self.orbit.closed();
+        let all = closed.len();
+        closed.retain(|guard| !matches!(system.guards()[*guard].kind, GuardKind::Friction { .. }));
+        if closed.len() == all {
+            return Ok(self);
+        }
+        let place = (self.orbit.since(&closed), &self.orbit.modes[0][..]);
+        let (free, basis) = tangent(system, place, &self.scales, None, &self.symmetry)?;
+        Ok(Found { free, basis, ..self })
     }
 
     /// Largest difference of the start from another state, in scales.

@@ -133,6 +133,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         return Err(unsettled(closure.value, newton::TURNS));
     }
     dataset.audits.insert(0, closure);
+    let found = found.disturbed(system)?;
     let pieces = parts.as_ref().map_or(1, |parts| parts.joints.len() + 1);
     let multipliers = match parts {
         Some(parts) => Some(of_parts(parts, &mut dataset)),
