@@ -36,19 +36,14 @@ impl Factors {
         self.qr.as_ref().is_some_and(|qr| qr.rank() < self.size)
     }
 
-    /// Whether |A⁻¹| |A| is surely far below the inverse of rounding: three vectors at random show |A⁻¹| but for a factor of some √size.
-    /// *Source*: J. D. Dixon, Estimating extremal eigenvalues and condition numbers of matrices, SIAM J. Numer. Anal. 20 (1983).
+    /// Whether |A⁻¹| |A| is surely far below the inverse of rounding.
     pub fn is_sound(&self, matrix: &[f64]) -> bool {
         if self.qr.is_some() || self.size == 0 {
             return self.size == 0;
         }
         let longest = |v: &[f64]| v.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
         let norm = matrix.chunks(self.size).map(|row| row.iter().map(|a| a.abs()).sum::<f64>()).fold(0.0, f64::max);
-        let mut random = Random::new(7);
-        (0..3).all(|_| {
-            let v: Vec<f64> = (0..self.size).map(|_| random.between(-1.0, 1.0)).collect();
-            longest(&self.solve(&v)) * norm <= SOUND * longest(&v)
-        })
+        stretches(self.size, |v| self.solve(v)).iter().all(|[v, x]| longest(x) * norm <= SOUND * longest(v))
     }
 
     fn solve(&self, right: &[f64]) -> Vec<f64> {
@@ -105,6 +100,18 @@ impl Factors {
         }
         (x, first)
     }
+}
+
+/// Three vectors at random with A⁻¹ of each: they show |A⁻¹| but for a factor of some √size.
+///
+/// *Source*: J. D. Dixon, Estimating extremal eigenvalues and condition numbers of matrices, SIAM J. Numer. Anal. 20 (1983).
+pub fn stretches(size: usize, solve: impl Fn(&[f64]) -> Vec<f64>) -> [[Vec<f64>; 2]; 3] {
+    let mut random = Random::new(7);
+    std::array::from_fn(|_| {
+        let v: Vec<f64> = (0..size).map(|_| random.between(-1.0, 1.0)).collect();
+        let x = solve(&v);
+        [v, x]
+    })
 }
 
 /// b - A x in twice the digits.

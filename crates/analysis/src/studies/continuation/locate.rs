@@ -7,6 +7,8 @@ use super::corrector::{self, Plane, settle};
 use super::signs::{self, leaves_as_pair, leaving};
 use super::zeros::{Place, Sort, Zeros};
 use crate::Fault;
+use crate::studies::periodic::Multiplier;
+use algebra::elementary;
 
 /// What happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -316,7 +318,21 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Lyapunov => What::Bautin,
         Test::Angle(order) => What::Resonance(order),
     };
+    if what == What::Branch && sort == Sort::Multipliers && hardly_known(&numbers) {
+        return Ok(None);
+    }
     Ok(Some(Located { share: 0.5 * (low + high), special: Special { what, within, place } }))
+}
+
+/// Error of a multiplier 1 beyond which its point is none: special points are told to eight digits.
+const KNOWN: f64 = 1e-8;
+
+/// Whether the multiplier next to 1 is known too badly to cross it. Where oscillations set in, both 1 - μ and what the parameter changes vanish with the amplitude, and the sign of the
+/// determinant is rounding, and so is whether the multiplier is outside.
+fn hardly_known(numbers: &[Multiplier]) -> bool {
+    let off = |m: &Multiplier| elementary::hypot(m.re - 1.0, m.im);
+    let next = numbers.iter().filter(|m| !m.trivial).min_by(|a, b| off(a).total_cmp(&off(b)));
+    next.is_some_and(|m| m.error > KNOWN)
 }
 
 /// By how much the parameter is not known where a pair crosses slowly: its error over the slope of its way from a to b.
