@@ -21,6 +21,9 @@ pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Whether a calculation is under way.
 static CALCULATING: AtomicBool = AtomicBool::new(false);
 
+/// Signals so near to one another are one request: `timeout` and job schedulers send theirs to the program and to its group.
+const ONE_REQUEST: Duration = Duration::from_millis(200);
+
 /// How long an interrupted calculation may take to come back with what it has.
 const GRACE: Duration = Duration::from_millis(1500);
 /// Between lines on the progress where no terminal shows it.
@@ -264,10 +267,16 @@ fn word_of(lap: Lap) -> Word {
 /// does not hear it: whatever loop it is in, it is not waited for longer than [`GRACE`].
 pub fn listen_to_interrupts(language: Language) {
     // without the handler Ctrl+C ends the program as usual
+    let mut first: Option<Instant> = None;
     let _ = ctrlc::set_handler(move || {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+        if let Some(first) = first {
+            if first.elapsed() > ONE_REQUEST {
+                std::process::exit(130);
+            }
+            return;
         }
+        first = Some(Instant::now());
+        INTERRUPTED.store(true, Ordering::Relaxed);
         std::thread::spawn(move || {
             std::thread::sleep(GRACE);
             if CALCULATING.load(Ordering::Relaxed) {
