@@ -20,6 +20,9 @@ const HALVINGS: usize = 50;
 pub(super) fn follow(zeros: &mut dyn Zeros, k: usize, (options, diagram): (&Options<'_>, &mut Diagram)) {
     let Some(second) = options.second else { return };
     for k in k..diagram.special.len() {
+        if options.is_interrupted() {
+            break;
+        }
         let (which, _, special) = diagram.special[k].clone();
         let of = diagram.curves[which].of;
         let lies = |crease: &Crease| crease.curve.of == of && crease.what == special.what && passes(crease, &special, second);

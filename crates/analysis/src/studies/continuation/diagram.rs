@@ -4,7 +4,7 @@ use super::curve::{Bounds, Curve, FIRST};
 use super::locate::{Special, What};
 use super::relay;
 use super::zeros::{Place, Zeros};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is asked of a diagram.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,13 @@ pub struct Options<'a> {
     pub second: Option<Second>,
     /// Set from outside to end early.
     pub interrupt: Option<&'a AtomicBool>,
+}
+
+impl Options<'_> {
+    /// Whether the user has interrupted: what is left to follow is left then.
+    pub(super) fn is_interrupted(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
 }
 
 /// A second parameter.

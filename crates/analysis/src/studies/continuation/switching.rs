@@ -45,7 +45,7 @@ const NONE: f64 = 1e-6;
 
 /// Follows the branches that part at branch points of a set of branches, from the k-th special point on.
 pub(super) fn at_branch_points(zeros: &mut dyn Zeros, mut k: usize, options: &Options<'_>, diagram: &mut Diagram) {
-    while k < diagram.special.len() {
+    while k < diagram.special.len() && !options.is_interrupted() {
         let (which, _, special) = diagram.special[k].clone();
         if special.what == What::Branch {
             let of = diagram.curves[which].of;
@@ -59,7 +59,7 @@ pub(super) fn at_branch_points(zeros: &mut dyn Zeros, mut k: usize, options: &Op
 ///
 /// *Errors*: those of eigenvalues.
 pub(super) fn of_orbits(orbits: &mut Orbits<'_, '_>, mut k: usize, options: &Options<'_>, diagram: &mut Diagram) {
-    while k < diagram.special.len() {
+    while k < diagram.special.len() && !options.is_interrupted() {
         let (which, behind, special) = diagram.special[k].clone();
         let Of::Orbits(periods) = diagram.curves[which].of else {
             k += 1;
@@ -99,7 +99,7 @@ pub(super) fn of_orbits(orbits: &mut Orbits<'_, '_>, mut k: usize, options: &Opt
 pub(super) fn from_rest(family: &mut dyn Family, count: usize, options: &Options<'_>, diagram: &mut Diagram) -> Result<(), Fault> {
     for k in 0..count {
         let (which, behind, special) = diagram.special[k].clone();
-        if special.what != What::Hopf {
+        if special.what != What::Hopf || options.is_interrupted() {
             continue;
         }
         if diagram.curves[which].places.get(behind).is_some_and(|place| place.signs.paired) {
