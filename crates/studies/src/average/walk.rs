@@ -176,8 +176,8 @@ impl Walk<'_> {
 }
 
 /// The letter of the shaft's speed; where the parameter itself is called Ω, the other one.
-fn letter(parameter: &Quantity) -> String {
-    if parameter.symbol == "Ω" { "ω" } else { "Ω" }.into()
+fn letter(parameter: &Quantity) -> &'static str {
+    if parameter.symbol == "Ω" { "ω" } else { "Ω" }
 }
 
 /// Fills in the results.
@@ -232,7 +232,7 @@ pub(super) fn walk(machine: &mut Machine, asked: &Asked, results: &mut Results, 
     let speeds = found.iter().map(|(value, list)| (*value, list.iter().map(|s| (s.turn.speed, s.stable)).collect()));
     let curves = joined(&speeds.collect::<Vec<_>>(), &bends);
     results.body = Body::After(Arc::new(Shown {
-        speed: letter(&quantity(machine, name)),
+        speed: letter(&quantity(machine, name)).into(),
         parameter: quantity(machine, name),
         curves: curves.clone(),
         folds: folds.iter().map(|fold| [fold.value, fold.turn.speed]).collect(),
@@ -277,10 +277,12 @@ fn table(machine: &Machine, name: &str, found: &[(f64, Vec<Steady>)], runs: &[Ra
     let own = |label: Text, name: &str, symbol: &str, unit: &str| Quantity { symbol: symbol.into(), label, ..Quantity::new(name, unit) };
     let stable = Text::new("stable speed", "устойчивая скорость");
     let unstable = Text::new("unstable speed", "неустойчивая скорость");
+    let parameter = quantity(machine, name);
+    let speed = letter(&parameter);
     let quantities = [
-        quantity(machine, name),
-        own(stable, "stable", "Ω_s", "rad/s"),
-        own(unstable, "unstable", "Ω_u", "rad/s"),
+        parameter,
+        own(stable, "stable", &format!("{speed}_s"), "rad/s"),
+        own(unstable, "unstable", &format!("{speed}_u"), "rad/s"),
         own(Text::new("departure from uniform turning", "отклонение от равномерного вращения"), "ripple", "ε", "rad"),
     ];
     let ways: Vec<Way> = Way::ALL.into_iter().filter(|way| runs.iter().any(|ran| ran.way == *way)).collect();
@@ -316,7 +318,13 @@ fn tell(machine: &Machine, name: &str, along: &Along, results: &mut Results) {
         let label = Text::new("fold: two speeds meet", "поворотная точка: две скорости сливаются");
         results.facts.push(Fact::new(&format!("fold_{}", k + 1), &quantity.symbol, &quantity.unit, fold.value, label));
         let label = Text::new("the speed there", "скорость в ней");
-        results.facts.push(Fact::new(&format!("fold_speed_{}", k + 1), &format!("Ω_{}", k + 1), "rad/s", fold.turn.speed, label));
+        results.facts.push(Fact::new(
+            &format!("fold_speed_{}", k + 1),
+            &format!("{}_{}", letter(&quantity), k + 1),
+            "rad/s",
+            fold.turn.speed,
+            label,
+        ));
     }
     if let Some(ripple) = found.iter().flat_map(|(_, list)| list).map(|s| s.turn.ripple).reduce(f64::max) {
         let label =
