@@ -89,6 +89,8 @@ impl Watcher {
             for piece in pieces.iter().filter(|p| p.of == output) {
                 self.piece((i, output), piece, along, &mut found);
             }
+            let last = pieces.iter().rfind(|p| p.of == output && p.to == h);
+            last.into_iter().for_each(|piece| self.end((i, output), &piece.row, along, &mut found));
         }
         self.started = true;
         found.arrange_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
@@ -102,7 +104,9 @@ impl Watcher {
     fn piece<L: Line>(&mut self, (i, output): (usize, usize), piece: &Piece, along: &mut L, found: &mut Vec<Happened>) {
         let (mut sign, largest) = self.states[i];
         let largest = piece.row.iter().fold(largest, |m: f64, b| m.max(b.abs()));
-        let noise = ZERO * largest;
+        // what has been zero so far has no size of its own: that of its terms
+        let terms = if sign == 0.0 { along.rounding(piece.to).get(output).copied().filter(|off| off.is_finite()).unwrap_or(0.0) } else { 0.0 };
+        let noise = (ZERO * largest).max(terms);
         if sign == 0.0 && !self.started && piece.from == 0.0 && along.output(0.0, output).abs() <= noise {
             // it leaves zero at the start, as if it came from the other side
             sign = leaving(&piece.row, LEAVES * largest);
@@ -110,14 +114,38 @@ impl Watcher {
                 found.push(Happened { event: i, tau: 0.0, sign });
             }
         }
-        let width = piece.to - piece.from;
-        for bracket in crossings::crossings(&piece.row, noise, &mut sign) {
-            let tau = piece.from + width * polished(&bracket, piece, along);
+        let brackets = crossings::crossings(&piece.row, noise, &mut sign);
+        let rough: Vec<f64> = brackets.iter().map(|bracket| piece.from + (piece.to - piece.from) * of_polynomial(bracket, &piece.row)).collect();
+        for (k, bracket) in brackets.iter().enumerate() {
+            let before = found.iter().rev().find(|e| e.event == i).map_or(0.0, |e| e.tau);
+            let low = if k > 0 { 0.5 * (rough[k - 1] + rough[k]) } else { before };
+            let high = rough.get(k + 1).map_or(along.length(), |next| 0.5 * (rough[k] + next));
+            let tau = polished([low, rough[k], high], (piece.to - piece.from, bracket.sign), &mut |tau| along.output(tau, output));
             if self.counts(i, bracket.sign) {
                 found.push(Happened { event: i, tau, sign: bracket.sign });
             }
         }
         self.states[i] = (sign, largest);
+    }
+
+    /// What has clearly happened at the end of a step although rounding of the largest value hides it there: a root of higher order just before it.
+    fn end<L: Line>(&mut self, (i, output): (usize, usize), row: &[f64], along: &mut L, found: &mut Vec<Happened>) {
+        let (sign, largest) = self.states[i];
+        let hidden = row.last().is_some_and(|b| b.abs() <= ZERO * largest);
+        if sign == 0.0 || !hidden {
+            return;
+        }
+        let end = along.length();
+        let (value, rounding) = (along.output(end, output), along.rounding(end));
+        if value * sign >= 0.0 || value.is_nan() || rounding.get(output).is_none_or(|off| value.abs() <= *off) {
+            return;
+        }
+        let before = found.iter().rev().find(|e| e.event == i).map_or(0.0, |e| e.tau);
+        let tau = polished([before, end, end], (end, -sign), &mut |tau| along.output(tau, output));
+        if self.counts(i, -sign) {
+            found.push(Happened { event: i, tau, sign: -sign });
+        }
+        self.states[i] = (-sign, largest);
     }
 
     fn counts(&self, i: usize, sign: f64) -> bool {
@@ -169,26 +197,51 @@ fn leaving(row: &[f64], noise: f64) -> f64 {
     row.iter().find(|b| b.abs() > noise).map_or(0.0, |b| b.signum())
 }
 
-/// The instant inside a bracket: first of the polynomial, then of the quantity itself.
-fn polished<L: Line>(bracket: &Bracket, piece: &Piece, along: &mut L) -> f64 {
+/// The place inside a bracket at which the polynomial passes zero.
+fn of_polynomial(bracket: &Bracket, row: &[f64]) -> f64 {
     let Bracket { from, to, .. } = *bracket;
     if from >= to {
         return from;
     }
-    let mut value = |u: f64| crossings::value(&piece.row, u);
+    let mut value = |u: f64| crossings::value(row, u);
     let ends = [value(from), value(to)];
-    let rough = if piece.row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) };
-    let width = piece.to - piece.from;
-    let mut exact = |u: f64| along.output(piece.from + width * u, piece.of);
+    if row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) }
+}
+
+/// The instant at which the quantity itself takes the sign, between the first and the last of three instants; the second is that of the polynomial over this width.
+///
+/// Rounding hides the polynomial around a root of higher order: from where it is met the quantity is followed to both sides until it has the signs of both. What is
+/// zero, or has the later sign, from the first instant on takes it where it leaves zero.
+fn polished([low, rough, high]: [f64; 3], (width, sign): (f64, f64), exact: &mut dyn FnMut(f64) -> f64) -> f64 {
     // shares of the piece: the polynomial is true to nine digits at least where the step was taken
-    let near = 1e-9;
-    let (a, b) = ((rough - near).max(from), (rough + near).min(to));
-    let (fa, fb) = (exact(a), exact(b));
-    if fa == 0.0 {
+    let near = 1e-9 * width;
+    let mut side = |to: f64, turned: bool| {
+        let mut off = near;
+        loop {
+            let tau = if to < rough { (rough - off).max(to) } else { (rough + off).min(to) };
+            let value = exact(tau);
+            let there = (value * sign > 0.0) == turned && (turned || value != 0.0);
+            if there || tau == to || value.is_nan() {
+                return (tau, value, there);
+            }
+            off *= 2.0;
+        }
+    };
+    let (mut a, fa, is_before) = side(low, false);
+    let (mut b, fb, is_after) = side(high, true);
+    if !is_after || fa.is_nan() || fb.is_nan() {
+        return rough;
+    }
+    if is_before && b - a <= 4.0 * near {
+        return bracketed(exact, (a, fa), (b, fb));
+    }
+    // a flat root is closed in by its sign alone
+    if fa * sign > 0.0 {
         return a;
     }
-    if fb == 0.0 {
-        return b;
+    while 0.5 * (a + b) > a && 0.5 * (a + b) < b {
+        let middle = 0.5 * (a + b);
+        if exact(middle) * sign > 0.0 { b = middle } else { a = middle }
     }
-    if (fa > 0.0) != (fb > 0.0) { bracketed(&mut exact, (a, fa), (b, fb)) } else { rough }
+    b
 }

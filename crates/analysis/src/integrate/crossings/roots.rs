@@ -15,6 +15,15 @@ const DEPTH: u32 = 50;
 /// Rounding of a coefficient relative to the terms that met in it.
 const NOISE: f64 = 4.0 * f64::EPSILON;
 
+/// Share of the terms of a polynomial above which it is surely more than their rounding.
+pub(in crate::integrate) const CLEAR: f64 = 16.0 * NOISE;
+
+/// Share of its last terms that a polynomial must exceed at the distance at which a root is sharp: a thousand times that distance is what they may move it.
+const SHIFTED: f64 = 1e-3;
+
+/// Share of the way to a root behind which nothing is gained by going nearer: a sixteenth of it is a step.
+const NEAREST: f64 = 0.9375;
+
 /// Terms at the end that together are below this share of the first coefficient are far below its noise in every coefficient of Bernstein's form.
 const NEGLIGIBLE: f64 = 0.25 * f64::EPSILON;
 
@@ -38,6 +47,31 @@ pub fn surely_no_root(c: &[f64], h: f64) -> bool {
     let Some((first, rest)) = c.split_first() else { return true };
     let sum = rest.iter().rev().fold(0.0, |sum, c_k| (sum + c_k.abs()) * h);
     first.abs() > sum
+}
+
+/// The last place before a root at which the polynomial stands clear of its rounding and of what it leaves out; none where it does at the distance `sharp`, or nowhere
+/// before it.
+///
+/// Where a root has the order m, rounding hides the polynomial around it over ε^(1/m) of the distance; and beside a value of 1e-14 of a quantity that was 1 where the
+/// polynomial begins, what a tolerance leaves out is more than the quantity. One expanded at the place found here is as exact as its own terms there, which are as
+/// small as it is.
+pub fn clear_before(c: &[f64], root: f64, sharp: f64) -> Option<f64> {
+    let is_clear = |u: f64, left_out: f64| {
+        let (value, size) = c.iter().rev().fold((0.0, 0.0), |(value, size), c_k| (value * u + c_k, size * u + c_k.abs()));
+        let last = c.iter().enumerate().rev().take(2).map(|(k, c_k)| c_k.abs() * elementary::powi(u, k as i32)).sum::<f64>();
+        f64::abs(value) > CLEAR * size + left_out * last
+    };
+    if is_clear(root - sharp, SHIFTED) {
+        return None;
+    }
+    let mut back = 2.0 * sharp;
+    while back < NEAREST * root {
+        if is_clear(root - back, 2.0) {
+            return Some(root - back);
+        }
+        back = (2.0 * back).min(0.5 * (back + root));
+    }
+    None
 }
 
 impl RootFinder {
@@ -248,6 +282,23 @@ mod tests {
         let t = first(&[0.3, 0.3, 0.3], 1.0).unwrap();
         // a triple root is known to the cube root of rounding
         assert!((t - 0.3).abs() < 2e-5);
+    }
+
+    /// Seen from nearer and nearer, a root of fifth order is met to rounding: (ε^(1/5))^n of the distance after n times.
+    #[test]
+    fn a_root_that_rounding_blurs_is_seen_from_nearby() {
+        let sharp = |root: f64| 1e-11 * root;
+        let quintic = |at: f64| with_roots(&[1.3 - at; 5]);
+        let (mut at, mut times) = (0.0, 0);
+        let root = loop {
+            let c = quintic(at);
+            let root = RootFinder::default().first_crossing(&c, 2.0, -1.0).unwrap();
+            let Some(clear) = clear_before(&c, root, sharp(root).max(4.0 * f64::EPSILON)) else { break at + root };
+            (at, times) = (at + clear, times + 1);
+        };
+        assert!((root - 1.3).abs() < ROUNDING && (3..=8).contains(&times), "{root} {times}");
+        // simple ones are sharp from anywhere
+        assert_eq!(clear_before(&with_roots(&[0.4, 3.0, -2.0]), 0.4, sharp(0.4)), None);
     }
 
     #[test]

@@ -162,8 +162,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             if !(rounding && h >= limit) {
                 self.check_length(h)?;
             }
-            let full = h >= limit;
             let (length, ending) = self.shorten_to_event(h);
+            let full = length >= limit;
             let event = ending == Ending::Event;
             self.refuse_switch_in_passage(event.then_some(length))?;
             self.evaluate(length);
@@ -190,6 +190,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 h = self.take_back(h, 0.5, None)?;
             } else if let Err(fault) = self.complete(lands, ending) {
                 h = self.take_back(h, 0.25, Some(fault))?;
+            } else if ending == Ending::Plain && self.passed_a_switch(length) {
+                h = self.take_back(length, 0.5, None)?;
             } else {
                 self.rough = defect.stayed;
                 return self.accept(length, lands, ending);

@@ -2,7 +2,7 @@
 
 use super::flow::{Ending, Flow};
 use crate::integrate::Step;
-use crate::integrate::crossings::roots::surely_no_root;
+use crate::integrate::crossings::roots::{CLEAR, clear_before, surely_no_root};
 use crate::integrate::crossings::{BoundState, Change, opposite};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
@@ -17,6 +17,12 @@ const NO_LOAD: f64 = 1e-13;
 
 /// How far the last terms of a guard may exceed the tolerance. They are those of the states in nearly all guards and then much smaller.
 const SLACK: f64 = 100.0;
+
+/// Share of its distance to which a root is sharp: roots that are simple are known to some hundred times less.
+const SHARP: f64 = 1e-11;
+
+/// Share of the time below which two instants are one.
+const INSTANT: f64 = 16.0 * f64::EPSILON;
 
 /// The part of a step h on which the last four terms stay below the tolerance times the change.
 fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
@@ -47,20 +53,24 @@ fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
 }
 
 impl<S: System + ?Sized> Flow<'_, S> {
-    /// The step up to the first sign change of a guard; marks the guards that change there.
+    /// The step up to the first sign change of a guard; marks the guards that change there. It ends before one that rounding of the guard's terms blurs: seen
+    /// from nearby its root is sharper.
     pub(super) fn shorten_to_event(&mut self, h: f64) -> (f64, Ending) {
         self.touched.fill(false);
         self.weighed = false;
-        let (mut first, mut whose) = (f64::INFINITY, 0);
+        let (mut first, mut whose, mut clear) = (f64::INFINITY, 0, f64::INFINITY);
         for i in 0..self.modes.len() {
-            if let Some(tau) = self.crossing(i, h)
-                && tau < first
-            {
+            let Some(tau) = self.crossing(i, h) else { continue };
+            clear = self.clear_before(i, tau).map_or(clear, |place| place.min(clear));
+            if tau < first {
                 (first, whose) = (tau, i);
             }
         }
         if first > h {
             return (h, Ending::Plain);
+        }
+        if clear < first {
+            return (clear, Ending::Plain);
         }
         // what lies within rounding of the first root happens together with it
         let together = first + 4.0 * f64::EPSILON * self.now.high.abs() + 1e-14 * h;
@@ -96,6 +106,26 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let c = self.step.guards.row(i).get(self.deflation[i]..).unwrap_or_default();
         let vanishes = c.iter().all(|c_k| *c_k == 0.0);
         if vanishes || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+    }
+
+    /// Where a guard stands clear of its rounding before a root that this rounding blurs: a root of higher order, or one of two that are close.
+    fn clear_before(&self, i: usize, root: f64) -> Option<f64> {
+        if !matches!(self.system.guards()[i].kind, GuardKind::Switch | GuardKind::Contact { .. } | GuardKind::Friction { .. }) {
+            return None;
+        }
+        let c = self.step.guards.row(i).get(self.deflation[i]..)?;
+        clear_before(c, root, (SHARP * root).max(INSTANT * self.now.high.abs()))
+    }
+
+    /// Whether a switch has changed its sign by more than rounding in a step whose polynomial of it has none: what a tolerance leaves out of a quantity that grows
+    /// over many decades is more than the quantity where the step begins.
+    pub(super) fn passed_a_switch(&self, length: f64) -> bool {
+        let clearly = |i: usize| {
+            let value = self.system.guard(i).first().copied().unwrap_or(0.0);
+            value.abs() > CLEAR * crate::integrate::crossings::size(self.step.guards.row(i), length)
+        };
+        let own = |i: &usize| self.modes[*i] != Mode::Zero && self.system.guards()[*i].kind == GuardKind::Switch;
+        length > INSTANT * self.now.high.abs() && (0..self.modes.len()).filter(own).any(|i| self.is_on_wrong_side(i) && clearly(i))
     }
 
     /// A normal force that is rounding of the others.
