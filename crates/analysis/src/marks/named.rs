@@ -105,7 +105,8 @@ impl Watcher {
         let (mut sign, largest) = self.states[i];
         let largest = piece.row.iter().fold(largest, |m: f64, b| m.max(b.abs()));
         // what has been zero so far has no size of its own: that of its terms
-        let terms = if sign == 0.0 { along.rounding(piece.to).get(output).copied().filter(|off| off.is_finite()).unwrap_or(0.0) } else { 0.0 };
+        let terms =
+            if sign == 0.0 { along.rounding(piece.to).get(output).copied().filter(|off| off.is_finite()).unwrap_or(0.0) } else { 0.0 };
         let noise = (ZERO * largest).max(terms);
         if sign == 0.0 && !self.started && piece.from == 0.0 && along.output(0.0, output).abs() <= noise {
             // it leaves zero at the start, as if it came from the other side
@@ -115,7 +116,8 @@ impl Watcher {
             }
         }
         let brackets = crossings::crossings(&piece.row, noise, &mut sign);
-        let rough: Vec<f64> = brackets.iter().map(|bracket| piece.from + (piece.to - piece.from) * of_polynomial(bracket, &piece.row)).collect();
+        let rough: Vec<f64> =
+            brackets.iter().map(|bracket| piece.from + (piece.to - piece.from) * of_polynomial(bracket, &piece.row)).collect();
         for (k, bracket) in brackets.iter().enumerate() {
             let before = found.iter().rev().find(|e| e.event == i).map_or(0.0, |e| e.tau);
             let low = if k > 0 { 0.5 * (rough[k - 1] + rough[k]) } else { before };
