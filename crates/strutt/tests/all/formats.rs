@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{folder, gallery, strutt};
+use common::{folder, gallery, in_parallel, strutt};
 use report::formats::{Package, Pictures, Sheet, TABLE};
 use std::path::Path;
 use std::process::Command;
@@ -37,7 +37,7 @@ fn every_row_has_its_chapter_and_its_test() {
 
 #[test]
 fn every_model_gives_a_page_in_every_format() {
-    for example in strutt::gallery::EXAMPLES {
+    in_parallel(strutt::gallery::EXAMPLES, |example| {
         let source = Source::new(example.name, example.text);
         let calculation = pipeline::run(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{}", example.name));
         for language in [Language::En, Language::Ru] {
@@ -58,7 +58,7 @@ fn every_model_gives_a_page_in_every_format() {
                 assert_eq!(*count, counts[0], "{} {name}: equations, figures, tables", example.name);
             }
         }
-    }
+    });
 }
 
 /// Whether "Table 3" stands there, with the space of the format between.
@@ -86,30 +86,28 @@ kind = "simulate"
 until = "1 s"
 "#;
 
-/// Runs a compiler if the machine has it.
-fn compiled(program: &str, arguments: &[&str], within: &Path) -> Option<String> {
-    match Command::new(program).args(arguments).current_dir(within).output() {
-        Ok(done) => {
-            let said = String::from_utf8_lossy(&done.stdout).into_owned() + &String::from_utf8_lossy(&done.stderr);
-            assert!(done.status.success(), "{program} in {}:\n{said}", within.display());
-            Some(said)
-        }
-        Err(_) => {
-            eprintln!("{program} is not at hand: its pages are not compiled here");
-            None
-        }
-    }
+/// What the compiler says; it must be content.
+fn compiled(program: &str, arguments: &[&str], within: &Path) -> String {
+    let done = Command::new(program).args(arguments).current_dir(within).output().unwrap_or_else(|e| panic!("{program}: {e}"));
+    let said = String::from_utf8_lossy(&done.stdout).into_owned() + &String::from_utf8_lossy(&done.stderr);
+    assert!(done.status.success(), "{program} in {}:\n{said}", within.display());
+    said
 }
 
-/// The compiler of typst, or its package for Python.
-fn typst(within: &Path) {
-    let has_package = || Command::new("python3").args(["-c", "import typst"]).output().is_ok_and(|done| done.status.success());
-    if Command::new("typst").arg("--version").output().is_err() && has_package() {
-        compiled("python3", &["-c", "import typst; typst.compile('index.typ', output='index.pdf')"], within);
-    } else {
-        compiled("typst", &["compile", "index.typ"], within);
+/// Whether the machine has a program that begins so.
+fn is_at_hand(program: &str, arguments: &[&str]) -> bool {
+    let found = Command::new(program).args(arguments).output().is_ok_and(|done| done.status.success());
+    if !found {
+        eprintln!("{program} {arguments:?} is not at hand: its pages are not compiled here");
     }
+    found
 }
+
+/// The compiler of typst or its package for Python, with how it is asked for and called.
+const TYPST: [(&str, &[&str], &[&str]); 2] = [
+    ("typst", &["--version"], &["compile", "index.typ"]),
+    ("python3", &["-c", "import typst"], &["-c", "import typst; typst.compile('index.typ', output='index.pdf')"]),
+];
 
 fn page(file: &str, format: &str, language: &str) -> std::path::PathBuf {
     let name = Path::new(file).parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
@@ -123,14 +121,17 @@ fn pages_compile_and_nothing_sticks_out() {
     let hostile = folder("formats-hostile").join("model.toml");
     std::fs::write(&hostile, HOSTILE).unwrap();
     let hostile = hostile.to_str().unwrap().to_owned();
-    for file in [hostile, gallery("crank-hoist"), gallery("portal-frame")] {
-        for (language, engine) in [("en", "xelatex"), ("ru", "pdflatex")] {
-            let out = page(&file, "latex", language);
-            if let Some(log) = compiled(engine, &["-interaction=nonstopmode", "-halt-on-error", "index.tex"], &out) {
+    let typst = TYPST.iter().find(|(program, asked, _)| is_at_hand(program, asked));
+    for (language, engine) in [("en", "xelatex"), ("ru", "pdflatex")] {
+        let has_engine = is_at_hand(engine, &["--version"]);
+        for file in [&hostile, &gallery("crank-hoist"), &gallery("portal-frame")] {
+            if has_engine {
+                let log = compiled(engine, &["-interaction=nonstopmode", "-halt-on-error", "index.tex"], &page(file, "latex", language));
                 assert!(!log.contains("Overfull"), "{file} {language} {engine}:\n{log}");
             }
-            let out = page(&file, "typst", language);
-            typst(&out);
+            if let Some((program, _, arguments)) = typst {
+                compiled(program, arguments, &page(file, "typst", language));
+            }
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use crate::common;
 
-use common::{folder, gallery, stdout, strutt};
+use common::{folder, gallery, in_parallel, is_written, stdout, strutt};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+
 use studies::{Failure, Source, Watch, pipeline};
 use toml::de::{DeTable, DeValue};
 
@@ -137,6 +137,10 @@ fn seen(model: &str, out: &Path) -> Vec<String> {
     let (file, folder) = (gallery(model), out.join(model));
     let run = |args: &[&str]| stdout(strutt().args(args).args([file.as_str(), "--lang", "ru"]));
     let mut seen = vec![run(&["check"]), run(&["equations", "--steps"]), run(&["run", "--out", folder.to_str().unwrap()])];
+    assert!(!seen[2].contains("NaN"), "{model}");
+    if strutt::gallery::names().any(|name| name == model) {
+        is_written(model, &folder, "ru");
+    }
     // a file without studies has no page
     seen.push(visible(&std::fs::read_to_string(folder.join("index.html")).unwrap_or_default()));
     seen
@@ -158,15 +162,11 @@ fn no_english_and_no_latin_units_in_russian_output() {
     models.retain(|name| Path::new(&gallery(name)).exists());
     models.sort();
     assert!(models.len() > 40, "{models:?}");
-    let next = AtomicUsize::new(0);
     let found = Mutex::new(Vec::new());
-    let work = || {
-        while let Some(model) = models.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let own = foreign_of(model, &out);
-            found.lock().unwrap().extend(own);
-        }
-    };
-    std::thread::scope(|scope| (0..2).for_each(|_| drop(scope.spawn(work))));
+    in_parallel(&models, |model| {
+        let own = foreign_of(model, &out);
+        found.lock().unwrap().extend(own);
+    });
     let mut found = found.into_inner().unwrap();
     found.sort();
     assert!(found.is_empty(), "{} foreign words:\n{}", found.len(), found.join("\n"));

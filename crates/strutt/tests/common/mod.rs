@@ -2,7 +2,8 @@
 #![allow(dead_code)]
 
 use assert_cmd::Command;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The binary in English, whatever the locale of the machine.
 pub fn strutt() -> Command {
@@ -40,4 +41,29 @@ pub fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let head = lines.next().unwrap().split(',').map(str::to_owned).collect();
     let rows = lines.map(|l| l.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
     (head, rows)
+}
+
+/// Does the work for each of these on two threads.
+pub fn in_parallel<T: Sync>(all: &[T], work: impl Fn(&T) + Sync) {
+    let next = AtomicUsize::new(0);
+    let one = || {
+        while let Some(item) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
+            work(item);
+        }
+    };
+    std::thread::scope(|scope| (0..2).for_each(|_| drop(scope.spawn(one))));
+}
+
+/// Whether a run of a model of the gallery has left its page in this language, with all files whole.
+pub fn is_written(name: &str, out: &Path, language: &str) {
+    let page = std::fs::read_to_string(out.join("index.html")).unwrap();
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains(&format!("lang=\"{language}\"")), "{name}");
+    let files: Vec<String> = std::fs::read_dir(out).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    // a structure or a table of numbers may have nothing to plot
+    let moves = files.iter().any(|f| f.starts_with("simulate"));
+    let wanted: &[&str] = if moves { &[".csv", ".json", ".svg", ".png", ".html"] } else { &[".html"] };
+    for kind in wanted {
+        assert!(files.iter().any(|f| f.ends_with(kind)), "{name}: {files:?}");
+    }
+    assert!(files.iter().all(|f| !f.ends_with(".part")), "{files:?}");
 }
