@@ -11,6 +11,7 @@
 
 mod balances;
 mod follow;
+mod resonances;
 mod settled;
 mod turn;
 

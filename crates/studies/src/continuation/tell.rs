@@ -61,7 +61,7 @@ pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diag
     }
     if diagram.unmet > 0 {
         results.words.push(Text::new(
-            format!("In {} directions in which a branch parts no point of it was found.", diagram.unmet),
+            format!("Directions in which a branch parts and no point of it was found: {}.", diagram.unmet),
             format!("Направлений, в которых ветвь отходит, но её точка не найдена: {}.", diagram.unmet),
         ));
     }

@@ -48,15 +48,26 @@ pub(super) fn roots<E>(samples: &[(f64, f64)], smooth: Smooth, mut f: impl FnMut
             continue;
         }
         let towards = if sign { -1.0 } else { 1.0 };
-        let (x, value) = extreme((a.0, next.0), towards, &mut f)?;
-        let size = a.1.abs().max(next.1.abs()).max(1.0);
-        if towards * value > PASSES * size {
+        let beyond = PASSES * a.1.abs().max(next.1.abs()).max(1.0);
+        let (x, value) = extreme((a.0, next.0), (towards, beyond), &mut f)?;
+        if towards * value > beyond {
             found.push(root((a.0, x), here, &mut f)?);
             found.push(root((x, next.0), back, &mut f)?);
         }
     }
     found.arrange_by(|a, b| a.at.total_cmp(&b.at));
     Ok(found)
+}
+
+/// Gives samples of which the sign is rounding that of the known ones about them, where these agree: a quantity that only touches zero there has no roots.
+pub(super) fn settled(samples: &mut [(f64, f64)], is_known: impl Fn(usize) -> bool) {
+    let known: Vec<usize> = (0..samples.len()).filter(|k| is_known(*k)).collect();
+    for pair in known.windows(2) {
+        let positive = samples[pair[0]].1 > 0.0;
+        if positive == (samples[pair[1]].1 > 0.0) {
+            samples[pair[0] + 1..pair[1]].iter_mut().for_each(|s| s.1 = if positive { f64::MIN_POSITIVE } else { 0.0 });
+        }
+    }
 }
 
 /// Whether the quantity is a smooth function.
@@ -81,13 +92,17 @@ fn root<E>((mut low, mut high): (f64, f64), side: Side, f: &mut impl FnMut(f64) 
 }
 
 /// Place and value of the largest `towards * f` between two places.
-fn extreme<E>((mut low, mut high): (f64, f64), towards: f64, f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<(f64, f64), E> {
+fn extreme<E>(
+    (mut low, mut high): (f64, f64),
+    (towards, beyond): (f64, f64),
+    f: &mut impl FnMut(f64) -> Result<f64, E>,
+) -> Result<(f64, f64), E> {
     let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
     let (mut x, mut y) = inner(low, high);
     let (mut f_x, mut f_y) = (f(x)?, f(y)?);
     for _ in 0..STEPS {
-        // a value beyond zero is all that is asked for
-        if towards * f_x > 0.0 || towards * f_y > 0.0 || high - low <= 1e-12 * high.abs() {
+        // a value clearly beyond zero is all that is asked for
+        if towards * f_x > beyond || towards * f_y > beyond || high - low <= 1e-12 * high.abs() {
             break;
         }
         if towards * f_x > towards * f_y {
@@ -127,6 +142,15 @@ mod tests {
         assert!((list[1].at - 0.338).abs() < STEPS && list[1].rises == Side::Falls);
         assert!(found(f, 10, Smooth::No).is_empty());
         assert!(found(|x| -(x - 0.337) * (x - 0.337), 10, Smooth::Yes).is_empty(), "touching is no change of sign");
+    }
+
+    /// -(x - 0.4)² with rounding at the sample 0.4 that says 0.4 is above zero.
+    #[test]
+    fn touching_at_a_sample_is_no_change_of_sign() {
+        let mut samples: Vec<(f64, f64)> = (0..=10).map(|k| f64::from(k) / 10.0).map(|x| (x, -(x - 0.4) * (x - 0.4))).collect();
+        samples[4].1 = 4e-16;
+        settled(&mut samples, |k| k != 4);
+        assert!(roots::<()>(&samples, Smooth::Yes, |x| Ok(4e-16 - (x - 0.4) * (x - 0.4))).unwrap().is_empty());
     }
 
     #[test]

@@ -138,6 +138,12 @@ fn verdicts(scalar: &Scalar, language: Language) -> Table {
         };
         let falls = by == Criterion::Classical && scalar.d() < 0.0;
         let name = if falls { language.pick("classical, −d − e²/2", "классический, −d − e²/2") } else { name };
+        let name = match by {
+            _ if scalar.decay >= 0.0 => name,
+            Criterion::Classical => language.pick("classical, −η (negative damping)", "классический, −η (отрицательное сопротивление)"),
+            Criterion::Mathieu => language.pick("Mathieu, −η (negative damping)", "Матьё, −η (отрицательное сопротивление)"),
+            Criterion::Hill => language.pick("Hill, −η (negative damping)", "Хилл, −η (отрицательное сопротивление)"),
+        };
         let said = word(scalar.verdict(by));
         table.row(vec![Cell::words(name), Cell::number(scalar.excess(by), DIGITS, language), Cell::words(language.text(&said))]);
     }

@@ -1,7 +1,7 @@
 //! Stability along a parameter: verdicts, and the boundaries located.
 
 use super::asked::{Range, Stability};
-use super::boundaries::{Root, Side, Smooth, roots};
+use super::boundaries::{Root, Side, Smooth, roots, settled};
 use super::point::{self, Care, Point};
 use super::reduction::{Reduction, reduced};
 use super::show::Shown;
@@ -136,7 +136,8 @@ fn located(walk: &mut Walk<'_>, found: &[(f64, Point)], watch: &mut Watch) -> Re
         if scalar { [Criterion::Hill, Criterion::Mathieu, Criterion::Classical].map(Some).into() } else { vec![None] };
     let mut list = Vec::new();
     for by in kinds {
-        let samples: Vec<(f64, f64)> = found.iter().map(|(value, p)| (*value, excess(p, by))).collect();
+        let mut samples: Vec<(f64, f64)> = found.iter().map(|(value, p)| (*value, excess(p, by))).collect();
+        settled(&mut samples, |k| by.is_none_or(|by| found[k].1.scalar.as_ref().is_some_and(|s| s.verdict(by) != Verdict::Limit)));
         let smooth = if by.is_some() { Smooth::Yes } else { Smooth::No };
         let at = |value: f64| walk.at(value, watch).map(|point| excess(&point, by));
         list.extend(roots(&samples, smooth, at)?.into_iter().map(|root| Boundary { by, root }));

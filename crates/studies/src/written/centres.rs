@@ -24,6 +24,8 @@ use symbolic::Expr;
 const MOST: usize = 8;
 /// Significant digits.
 const DIGITS: usize = 6;
+/// Share of the largest velocity that is hardly seen in a plan: its letters would stand on each other.
+const BESIDE: f64 = 0.03;
 
 type V2 = [f64; 2];
 
@@ -48,7 +50,8 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     let in_plane = |body: &&Body| work.moves(&work.model.frames[body.frame.index()]) == Moves::InPlane;
     let mut found = (bodies(work, &start), start);
     // a dead centre, or a body that translates for an instant, shows little: the place of the figure then
-    let special = |body: &Body| body.pole.is_none() || body.spots.iter().any(|s| length(s.v) <= STILL);
+    let largest = fastest(&found.0);
+    let special = |body: &Body| body.pole.is_none() || body.spots.iter().any(|s| length(s.v) <= BESIDE * largest);
     if found.0.iter().filter(in_plane).any(special)
         && let Some(bent) = crate::scheme::bent(&work.calculation.machine)
     {
@@ -60,6 +63,10 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
     }
     let title = work.language.pick("Instantaneous centres of velocity", "Мгновенные центры скоростей");
     pen.section(title, |pen| told(work, (&at, &bodies), pen));
+}
+
+fn fastest(bodies: &[Body]) -> f64 {
+    bodies.iter().flat_map(|b| &b.spots).map(|s| length(s.v)).fold(0.0, f64::max)
 }
 
 /// The start of a planar machine with one degree of freedom that moves by its coordinates alone.
@@ -239,7 +246,7 @@ fn distances(work: &Work, bodies: &[Body]) -> (Table, f64) {
         lettered("v_x", "m/s", language),
         lettered("v_y", "m/s", language),
     ]);
-    let largest = bodies.iter().flat_map(|b| &b.spots).map(|s| length(s.v)).fold(0.0_f64, f64::max);
+    let largest = fastest(bodies);
     let mut worst = 0.0_f64;
     for body in bodies {
         let name = ::words::capital(&work.body(body.frame));
@@ -269,7 +276,6 @@ fn plan(work: &Work, bodies: &[Body]) -> Figure {
         }
     }
     let largest = drawn.iter().map(|(_, v)| length(*v)).fold(0.0_f64, f64::max);
-    let mark = |v: V2, label: String| Mark::Point { x: v[0], y: v[1], label };
     let mut series: Vec<Series> =
         drawn.iter().map(|(name, v)| line(&format!("v_{}", name.replace('_', "")), "", &[[0.0; 2], *v])).collect();
     for body in bodies.iter().filter(|b| b.pole.is_some() && b.spots.len() > 1) {
@@ -280,8 +286,15 @@ fn plan(work: &Work, bodies: &[Body]) -> Figure {
         }
     }
     let axis = |name: &str| Axis { symbols: vec![name.into()], units: Vec::new(), scale: Scale::of_column("m/s", largest), log: false };
-    let mut marks = vec![mark([0.0; 2], "p".into())];
-    marks.extend(drawn.iter().map(|(name, v)| mark(*v, name.to_lowercase().replace('_', ""))));
+    let mut tips: Vec<(V2, String)> = vec![([0.0; 2], "p".into())];
+    for (name, v) in &drawn {
+        let name = name.to_lowercase().replace('_', "");
+        match tips.iter_mut().find(|(at, _)| distance(*at, *v) <= BESIDE * largest) {
+            Some((_, names)) => *names += &format!(", {name}"),
+            None => tips.push((*v, name)),
+        }
+    }
+    let marks = tips.into_iter().map(|(v, label)| Mark::Point { x: v[0], y: v[1], label }).collect();
     Figure {
         name: "velocity-plan".into(),
         title: work.language.pick("Velocity plan", "План скоростей").into(),

@@ -23,6 +23,14 @@ const NARROWER: f64 = 0.2;
 const FLAT: f64 = 1e-6;
 /// Share of the moments below which a slope of L is rounding: that of L over the step of the slope.
 const LEVEL: f64 = 1e-7;
+/// Share of the smaller slope of L beside an interval by which its mean slope may differ from theirs: what is between them then has no two extremes more.
+const STEADY: f64 = 0.05;
+/// Share of the larger one below which it may always: a pair of extremes as flat as that lies within it.
+const BENT: f64 = 1e-3;
+/// Share of the moments below which a difference of L is rounding: some times what two numbers of instants differ by.
+const SEEN: f64 = 1e-9;
+/// Halvings of an interval in which L is not resolved.
+const DEPTH: usize = 16;
 /// Newton's steps to an extreme of a machine whose numbers have changed a little.
 const NEWTON: usize = 12;
 
@@ -70,6 +78,9 @@ fn balances<T: Turning + ?Sized>(machine: &T, mut course: Course) -> Course {
     let walker = Walker::new(machine, &course.ruler);
     let way = Way { machine, walker: &walker, linear: course.starts.is_none() };
     let mut list: Vec<Steady> = Vec::new();
+    for branch in &mut course.branches {
+        branch.points = way.refined(std::mem::take(&mut branch.points));
+    }
     for (which, branch) in course.branches.iter().enumerate() {
         for pair in branch.points.windows(2) {
             let summit = way.summit(&pair[0], &pair[1]);
@@ -117,6 +128,44 @@ impl<T: Turning + ?Sized> Way<'_, T> {
         }
         let speed = a.turn.speed + share * (b.turn.speed - a.turn.speed);
         turn(self.machine, speed, Some(&a.turn)).map(|turn| turn.balance())
+    }
+
+    /// The points of a branch with others between neighbours, until L and its slopes agree: two extremes of L between two neighbours show in neither of their slopes.
+    fn refined(&self, points: Vec<Point>) -> Vec<Point> {
+        let mut list: Vec<Point> = Vec::with_capacity(points.len());
+        for point in points {
+            if let Some(last) = list.last().cloned() {
+                self.fill(&mut list, [&last, &point], DEPTH);
+            }
+            list.push(point);
+        }
+        list
+    }
+
+    fn fill(&self, list: &mut Vec<Point>, [a, b]: [&Point; 2], depth: usize) {
+        if depth == 0 || self.resolves(a, b) {
+            return;
+        }
+        let Some(middle) = self.at([a, b], 0.5) else { return };
+        self.fill(list, [a, &middle], depth - 1);
+        list.push(middle.clone());
+        self.fill(list, [&middle, b], depth - 1);
+    }
+
+    /// Whether the change of L over an interval is that of the slopes at its ends.
+    fn resolves(&self, a: &Point, b: &Point) -> bool {
+        let slopes = [a, b].map(|point| {
+            let along = if self.linear {
+                (b.turn.speed - a.turn.speed) / self.walker.range() / point.forwards()
+            } else {
+                self.walker.distance(a, b)
+            };
+            point.slope * along
+        });
+        let [small, large] = [slopes[0].abs().min(slopes[1].abs()), slopes[0].abs().max(slopes[1].abs())];
+        let off = (b.turn.balance() - a.turn.balance() - 0.5 * (slopes[0] + slopes[1])).abs();
+        let size = [a, b].iter().map(|point| point.turn.own.abs().max(point.turn.vibration.abs())).fold(0.0, f64::max);
+        off.is_nan() || off <= (STEADY * small).max(BENT * large).max(SEEN * size)
     }
 
     /// The balance between two neighbours of which the moments have unlike signs.

@@ -7,6 +7,7 @@
 //! Where the rest is linear there is one answer at each speed. Otherwise a branch comes back over its folds with all answers that hang together; others are sought from starts of other sizes.
 //! *Source*: H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977).
 
+use super::resonances::resonances;
 use super::turn::{Grid, INSTANTS, NEAR, Place, Turn, Turning, greatest, turn};
 use algebra::elementary;
 use algebra::lu::Lu;
@@ -158,7 +159,7 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
         Walker { machine, ruler, grids: INSTANTS.iter().map(|n| Grid::new(*n, ruler.sizes.len())).collect() }
     }
 
-    fn range(&self) -> f64 {
+    pub(super) fn range(&self) -> f64 {
         self.ruler.ends[1] - self.ruler.ends[0]
     }
 
@@ -191,7 +192,12 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     fn single(&self, found: &[Option<Turn>]) -> Vec<Branch> {
         let parts = found.split(Option::is_none).filter(|part| !part.is_empty());
         let whole = |part: &[Option<Turn>]| {
-            let points = part.iter().flatten().filter_map(|turn| self.at(turn.clone(), 1.0)).collect();
+            let mut all: Vec<Turn> = part.iter().flatten().cloned().collect();
+            let speeds: Vec<f64> = all.iter().map(|turn| turn.speed).collect();
+            all.extend(resonances(self.machine, &speeds).into_iter().filter_map(|speed| turn(self.machine, speed, part[0].as_ref())));
+            all.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+            all.dedup_by(|a, b| a.speed == b.speed);
+            let points = all.into_iter().filter_map(|turn| self.at(turn, 1.0)).collect();
             let mut branch = Branch { points, broken: 0 };
             self.see_tops(&mut branch);
             branch

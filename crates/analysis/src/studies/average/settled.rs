@@ -94,6 +94,11 @@ fn rates<T: Turning + ?Sized>(machine: &T, series: &Series, (angle, speed): (f64
     let m = series.m;
     let [values, rates, accelerations] = series.at(angle, speed);
     let slopes = machine.at(&Place { angle, speed, values: &values, rates: &rates, accelerations: &accelerations }).slopes;
+    companion(&slopes, m)
+}
+
+/// The same from the derivatives of the equations of the rest by q, q', q''.
+pub(super) fn companion(slopes: &[f64], m: usize) -> Option<Vec<f64>> {
     let of = |order: usize| -> Vec<f64> { (0..m * m).map(|e| slopes[(e / m * 3 + order) * m + e % m]).collect() };
     let mass = Lu::exact(&of(2), m)?;
     let (stiffness, damping) = (of(0), of(1));

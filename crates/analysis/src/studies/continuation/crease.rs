@@ -58,6 +58,7 @@ fn one(zeros: &mut dyn Zeros, special: &Special, (options, second): (&Options<'_
         let direction: Vec<f64> = (0..=last).map(|i| if i == last { sign * range } else { 0.0 }).collect();
         let start = corrector::place(&mut turning, y.clone(), &direction).ok().flatten()?;
         let mut curve = walk(&mut turning, start, bounds, &|point| special.what != What::Fold && meets(point.what));
+        as_one(&mut curve, &ranges);
         if let (Some(End::Joins), Some((_, point))) = (&curve.ends[1], curve.special.last()) {
             let (what, place) = (point.what, point.place.clone());
             if let Some(end) = curve.places.last_mut() {
@@ -74,6 +75,14 @@ fn one(zeros: &mut dyn Zeros, special: &Special, (options, second): (&Options<'_
         });
     }
     whole
+}
+
+/// Keeps one event where the second parameter is extreme just where both of a pair become real, as it is where no place of rest is left beyond: the other is the same point, and rounding apart.
+fn as_one(curve: &mut Curve, ranges: &[[f64; 2]; 2]) {
+    let met: Vec<[f64; 2]> =
+        curve.special.iter().filter(|(_, point)| meets(point.what)).map(|(_, point)| Crease::plane(&point.place)).collect();
+    let same = |at: [f64; 2], other: &[f64; 2]| (0..2).all(|i| (at[i] - other[i]).abs() <= SAME * (ranges[i][1] - ranges[i][0]).abs());
+    curve.special.retain(|(_, point)| point.what != What::Fold || !met.iter().any(|other| same(Crease::plane(&point.place), other)));
 }
 
 /// Whether both of a pair become real there: beyond it the curve is one of saddles.

@@ -193,7 +193,7 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
             Tried::Refused(fault) => {
                 h *= 0.5;
                 if h < SHORTEST {
-                    if !grazes(zeros, &mut curve) {
+                    if !shrinks(&mut curve) && !grazes(zeros, &mut curve) {
                         let fault = if a.is_at_edge() { Some(passes_the_start()) } else { fault };
                         curve.ends[1] = Some(if lingers(&a, bounds.ranges.len()) { End::Lingers } else { End::Stuck(h, fault) });
                     }
@@ -232,6 +232,16 @@ pub(super) fn walk(zeros: &mut dyn Zeros, start: Place, bounds: Bounds<'_>, know
         }
     }
     curve
+}
+
+/// Ends a branch where its motions shrink to a place of rest, and no step leads across it.
+fn shrinks(curve: &mut Curve) -> bool {
+    let Some((special, count)) = touching::shrunk(&curve.places) else { return false };
+    curve.places.truncate(count);
+    curve.special.retain(|(place, _)| *place < count);
+    curve.special.push((count, special));
+    curve.rest_there();
+    true
 }
 
 /// Ends a branch where a switch is only touched at its end.

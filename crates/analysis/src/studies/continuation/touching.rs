@@ -69,11 +69,38 @@ fn is_other(zeros: &mut dyn Zeros, a: &Place, y: &[f64]) -> bool {
 fn vanishing(places: &[Place]) -> Option<Special> {
     let a = places.last()?;
     let slowest = a.local.facts.slowest?;
-    let mut nodes: Vec<(f64, &Place)> = vec![(slowest.rate, a)];
-    for place in places.iter().rev().skip(1) {
+    let rate = |place: &Place| {
         let facts = &place.local.facts;
         let is_same = |other: &Meeting| other.guard == slowest.guard && facts.switches == a.local.facts.switches;
-        let Some(v) = facts.slowest.filter(is_same).map(|meeting| meeting.rate) else { break };
+        facts.slowest.filter(is_same).map(|meeting| meeting.rate)
+    };
+    tending(places, &rate, What::Grazing)
+}
+
+/// Extent, as a share of the largest on the branch, below which a motion has shrunk, and below which the parameter, which changes by its square, is rounding beside that of rest.
+const SHRUNK: [f64; 2] = [0.02, 1e-4];
+
+/// The place of rest to which the free motions of a branch shrink at its end, and how many of its points lead there. Where all shrinks in one ratio each step is a part of what is left, and none leads across.
+pub(super) fn shrunk(places: &[Place]) -> Option<(Special, usize)> {
+    let a = places.last().filter(|a| a.local.phase.is_some())?;
+    let extent = |place: &Place| {
+        let each = place.local.facts.extremes.iter().zip(&a.local.scales);
+        each.map(|([low, high], scale)| (high - low) / scale).fold(0.0, f64::max)
+    };
+    let largest = places.iter().map(extent).fold(0.0, f64::max);
+    if extent(a) > SHRUNK[0] * largest {
+        return None;
+    }
+    let count = places.iter().rposition(|place| extent(place) > SHRUNK[1] * largest)? + 1;
+    tending(&places[..count], &|place| Some(extent(place)), What::Hopf).map(|special| (special, count))
+}
+
+/// The point of a branch in which a number of its last points vanishes; none where the number stops falling, or the parameter has no limit.
+fn tending(places: &[Place], value: &dyn Fn(&Place) -> Option<f64>, what: What) -> Option<Special> {
+    let a = places.last()?;
+    let mut nodes: Vec<(f64, &Place)> = vec![(value(a)?, a)];
+    for place in places.iter().rev().skip(1) {
+        let Some(v) = value(place) else { break };
         let (before, _) = nodes[nodes.len() - 1];
         if v <= before {
             break;
@@ -91,7 +118,7 @@ fn vanishing(places: &[Place]) -> Option<Special> {
         let [whole, rest] = [points, &points[1..]].map(|points| at_zero(points, &Place::parameter));
         let within = (whole.0 - rest.0).abs().max(whole.1);
         let tends = within <= SPREAD * rest.1 && within <= SURE * (whole.0 - points[0].1.parameter()).abs();
-        tends.then(|| Special { what: What::Grazing, place: place_at_zero(points, a), within })
+        tends.then(|| Special { what, place: place_at_zero(points, a), within })
     })
 }
 

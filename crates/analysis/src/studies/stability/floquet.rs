@@ -9,6 +9,9 @@ const APART: f64 = 1e-4;
 /// Error up to which two multipliers are reciprocal.
 const RECIPROCAL: f64 = 1e-7;
 
+/// Damping over a period below which it is none: a multiplier that it makes differs from the circle by some hundred roundings, as the mean of a damping that is as often negative does.
+pub(super) const UNDAMPED: f64 = 1e-13;
+
 /// What linear equations with periodic coefficients say of disturbances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -32,7 +35,7 @@ impl Verdict {
     /// From the trace of y'' + ψ y = 0 and the damping over its period, q = y exp(-∫h dt): disturbances of q grow where |tr M| > 2 ch hT.
     pub fn of_trace([trace, damping]: [f64; 2]) -> Verdict {
         // negative damping: the product of the multipliers is larger than 1
-        if damping < 0.0 {
+        if damping < -UNDAMPED {
             Verdict::Unstable
         } else {
             Verdict::of_excess(trace.abs() - 2.0 * elementary::cosh(damping), TRACE * trace.abs().max(1.0))

@@ -11,7 +11,7 @@
 //! order in e they do in the main tongue where e² > (1 - d)² + 4 η², and below d = -e²/2 (Kapitza). *Source*: V. V. Bolotin, The Dynamic Stability of Elastic Systems, 1964, § 5, § 9.
 
 use super::diagram::TRACE;
-use super::floquet::Verdict;
+use super::floquet::{UNDAMPED, Verdict};
 use algebra::elementary;
 use algebra::hill::Hill;
 use algebra::mathieu;
@@ -69,7 +69,9 @@ impl Scalar {
             let now = h.value(t);
             stiffness(t).map(|k| k - now * now - h.slope(t))
         })?;
-        Some(Scalar::new(psi, h.mean))
+        let count = 8 * (h.waves.len() + 1);
+        let size = (0..count).map(|i| h.value(period * i as f64 / count as f64).abs()).sum::<f64>() / count as f64;
+        Some(Scalar::new(psi, mean_of(h.mean, size, period)))
     }
 
     /// From the coefficients of x' = A(t) x at equally spaced instants of a period, x = (q, q'); none where they are not of that form, or jump.
@@ -86,7 +88,8 @@ impl Scalar {
             -a[2] - now * now - h.slope(time(i))
         };
         let samples: Vec<f64> = rows.iter().enumerate().map(value).collect();
-        Some(Scalar::new(Hill::of_samples(period, &samples)?.faded(ROUNDING)?, h.mean))
+        let size = halves.iter().map(|h| h.abs()).sum::<f64>() / halves.len() as f64;
+        Some(Scalar::new(Hill::of_samples(period, &samples)?.faded(ROUNDING)?, mean_of(h.mean, size, period)))
     }
 
     fn new(psi: Hill, decay: f64) -> Scalar {
@@ -148,20 +151,14 @@ impl Scalar {
         self.hill.waves.iter().map(|[c, s]| elementary::hypot(*c, *s) / middle.max(f64::MIN_POSITIVE)).collect()
     }
 
-    /// Positive where disturbances grow, negative where they do not.
+    /// Positive where disturbances grow, negative where they do not: -η where damping is negative, for the product of the multipliers is then larger than 1.
     pub fn excess(&self, by: Criterion) -> f64 {
-        let bound = if self.decay >= 0.0 { 2.0 * elementary::cosh(self.decay * self.hill.period) } else { 0.0 };
+        let (d, e, eta) = (self.d(), self.e(), self.eta());
         match by {
-            Criterion::Hill => self.trace.abs() - bound,
-            Criterion::Mathieu => {
-                let growing = if self.decay >= 0.0 { 2.0 * elementary::cosh(PI * self.eta()) } else { 0.0 };
-                self.trace_of_mathieu().abs() - growing
-            }
-            Criterion::Classical => {
-                let (d, e, eta) = (self.d(), self.e(), self.eta());
-                let tongue = e * e - (1.0 - d) * (1.0 - d) - 4.0 * eta * eta;
-                if self.decay < 0.0 { 1.0 } else { tongue.max(-d - 0.5 * e * e) }
-            }
+            _ if eta < 0.0 => -eta,
+            Criterion::Hill => self.trace.abs() - 2.0 * elementary::cosh(PI * eta),
+            Criterion::Mathieu => self.trace_of_mathieu().abs() - 2.0 * elementary::cosh(PI * eta),
+            Criterion::Classical => (e * e - (1.0 - d) * (1.0 - d) - 4.0 * eta * eta).max(-d - 0.5 * e * e),
         }
     }
 
@@ -184,6 +181,11 @@ impl Scalar {
         };
         Verdict::of_excess(self.excess(by), error)
     }
+}
+
+/// A mean of the damping; none of it where it is rounding: of samples of this mean size, or of multipliers that it leaves on the circle.
+fn mean_of(mean: f64, size: f64, period: f64) -> f64 {
+    if mean.abs() <= ROUNDING * size || mean.abs() * period <= UNDAMPED { 0.0 } else { mean }
 }
 
 #[cfg(test)]
@@ -242,6 +244,31 @@ mod tests {
         let [a, b] = found.multipliers();
         let product = a[0] * b[0] - a[1] * b[1];
         assert!((product - elementary::exp(-2.0 * h0 * found.hill.period)).abs() < EXACT);
+    }
+
+    /// h = h₁ sin 2t has no mean, whatever its samples sum to: with k = h² + h' + k₀ the multipliers are exp(±i√k₀ T), simple on the circle.
+    #[test]
+    fn damping_without_a_mean_is_none() {
+        for (h1, k0) in [(0.3, 2.3), (1e-6, 2.3), (4.0, 0.7)] {
+            let h = |t: f64| h1 * elementary::sin(2.0 * t + 0.4);
+            let slope = |t: f64| 2.0 * h1 * elementary::cos(2.0 * t + 0.4);
+            let stiffness = |t: f64| h(t) * h(t) + slope(t) + k0;
+            let by_formula = Scalar::of(PI, |t| Some(stiffness(t)), |t| Some(h(t))).unwrap();
+            let row = |k: usize| {
+                let t = PI * k as f64 / 256.0;
+                vec![0.0, 1.0, -stiffness(t), -2.0 * h(t)]
+            };
+            let by_samples = Scalar::of_coefficients(PI, &(0..256).map(row).collect::<Vec<_>>()).unwrap();
+            for found in [by_formula, by_samples] {
+                assert!(found.decay == 0.0 && found.verdict(Criterion::Hill) == Verdict::Stable, "{h1}: {}", found.decay);
+                assert!(
+                    (found.excess(Criterion::Hill) - (2.0 * elementary::cos(found.hill.period * f64::sqrt(k0))).abs() + 2.0).abs() < STEPS
+                );
+            }
+            let negative = Scalar::of(PI, |t| Some(stiffness(t)), |t| Some(h(t) - 1e-6)).unwrap();
+            assert_eq!(negative.verdict(Criterion::Hill), Verdict::Unstable);
+            assert!((negative.excess(Criterion::Hill) - 1e-6).abs() < EXACT, "η of ω = 2 is h");
+        }
     }
 
     #[test]

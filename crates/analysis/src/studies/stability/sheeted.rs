@@ -7,6 +7,7 @@
 //! In the measure of its period the equation is told by these coefficients alone, so that a period which depends on the parameters is nothing special.
 
 use super::diagram::{Damped, Equations};
+use super::floquet::UNDAMPED;
 use super::scalar::Scalar;
 use algebra::hill::Hill;
 use algebra::sheet::Sheet;
@@ -51,6 +52,7 @@ impl Sheeted {
     fn damped(&self, values: &[f64]) -> Damped {
         let times = self.times as f64;
         let (damping, mean) = (values.first().copied().unwrap_or(0.0), values.get(1).copied().unwrap_or(0.0));
+        let damping = if damping.abs() <= UNDAMPED { 0.0 } else { damping };
         let harmonics = values.get(BEFORE..).unwrap_or_default().chunks_exact(2).skip(self.times - 1).step_by(self.times);
         let waves = harmonics.map(|w| [w[0] / (times * times), w[1] / (times * times)]).collect();
         Damped { hill: Hill { period: 1.0, mean: mean / (times * times), waves }, damping: damping / times }
