@@ -282,7 +282,13 @@ impl Search<'_> {
             }
             return;
         }
-        if self.found.list.iter().any(|p| self.system.sizes().same([&p.q, q], &self.start, ONE)) {
+        let same = |p: &Place| self.system.sizes().same([&p.q, q], &self.start, ONE);
+        if let Some(k) = self.found.list.iter().position(same) {
+            // where a contact only touches the place is that at which its gap vanishes: without it a multiple zero is known to the root of rounding
+            let before = &self.found.list[k].closed;
+            if before.len() < self.closed.len() && before.iter().all(|r| self.closed.contains(r)) {
+                self.found.list[k] = self.place(z, below);
+            }
             return;
         }
         if !self.join(q) {
@@ -493,7 +499,7 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
 }
 
 /// Whether a reaction is what rounding of the other forces leaves: beside what they change by with the coordinates, wherever it acts.
-pub(super) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
+pub(crate) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
     let n = sizes.len();
     let others = |r: &Row| r.slopes[..n].iter().zip(sizes).map(|(s, size)| s.abs() * size).sum::<f64>();
     // a force that the coordinates do not change tells nothing of its rounding: the largest of the others does

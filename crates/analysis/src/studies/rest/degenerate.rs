@@ -59,6 +59,8 @@ const ODD: f64 = 1e-9;
 const EVEN: f64 = 256.0 * f64::EPSILON;
 /// Singular values below this share of the largest, about the root of a rounding, have left vectors of their own: Aᵀ A knows none of them from zero.
 const FLAT: f64 = 1e-7;
+/// Share of the largest stiffness, coordinates alike, that counts as none beside a contact that touches.
+const NEARLY: f64 = 1e-9;
 /// Most directions that are looked at.
 const DIRECTIONS: usize = 24;
 
@@ -94,9 +96,39 @@ impl Degenerate {
     }
 }
 
+/// Sides of a place on which a direction is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sides {
+    Both,
+    Ahead,
+    Behind,
+    Neither,
+}
+
+impl Sides {
+    /// Those of them on which a gap with this slope along the direction does not close.
+    pub(super) fn within(self, slope: f64) -> Sides {
+        match (self, slope) {
+            (Sides::Both | Sides::Ahead, a) if a > 0.0 => Sides::Ahead,
+            (Sides::Both | Sides::Behind, a) if a < 0.0 => Sides::Behind,
+            (sides, 0.0) => sides,
+            _ => Sides::Neither,
+        }
+    }
+
+    fn signs(self) -> &'static [f64] {
+        match self {
+            Sides::Both => &[1.0, -1.0],
+            Sides::Ahead => &[1.0],
+            Sides::Behind => &[-1.0],
+            Sides::Neither => &[],
+        }
+    }
+}
+
 /// How the force goes in a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Way {
+pub(super) enum Way {
     /// Like a stiffness, or nothing at all.
     Plain,
     /// Against the displacement on both sides.
@@ -131,6 +163,19 @@ pub fn degenerate(machine: &mut LinearMachine, place: &Place) -> Option<Degenera
         () => None,
     };
     Some(Degenerate { stable, flat })
+}
+
+/// How the force goes in the only direction without stiffness, on the sides that are allowed of it; none where there are several, or one in which the energy falls.
+pub(super) fn along_one(machine: &mut LinearMachine, place: &Place, sides: &mut dyn FnMut(&[f64]) -> Sides) -> Option<Way> {
+    let mut around = Around::new(machine, place)?;
+    let most = around.directions.iter().fold(0.0_f64, |m, d| m.max(d.part.stiffness.abs()));
+    let mut flat = (0..around.directions.len()).filter(|j| around.directions[*j].part.stiffness <= NEARLY * most);
+    let j = flat.next()?;
+    if flat.next().is_some() || around.directions[j].part.stiffness < -NEARLY * most {
+        return None;
+    }
+    let signs = sides(&around.directions[j].shape).signs();
+    (!signs.is_empty()).then(|| around.follow(j, signs, MOST))
 }
 
 /// What is to be said of such places.
@@ -327,6 +372,7 @@ impl Around<'_> {
 
     fn way(&mut self, j: usize) -> Way {
         let stiffness = self.directions[j].stiffness;
+        let both = Sides::Both.signs();
         let straight = |around: &mut Self, s: f64| {
             let [there, here] = [around.gradient(j, s), around.gradient(j, -s)];
             let off =
@@ -334,12 +380,16 @@ impl Around<'_> {
             !off(there, s) && !off(here, -s)
         };
         if !LOOKS.iter().all(|s| straight(self, *s)) {
-            return if self.is_resolved(j) { Way::Plain } else { self.follow(j, MOST) };
+            return if self.is_resolved(j) { Way::Plain } else { self.follow(j, both, MOST) };
         }
         // a place that is itself no more than what rounding leaves of a zero has no size of its own: at its own distance nothing is clear
         let unseen = |g: Option<[f64; 2]>| g.is_some_and(|[g, noise]| g.abs().max((stiffness * MOST).abs()) <= noise);
         let unit = self.directions[j].unit;
-        if unit > 1.0 && [MOST, -MOST].iter().all(|s| unseen(self.gradient(j, *s))) { self.follow(j, MOST * unit) } else { Way::Plain }
+        if unit > 1.0 && [MOST, -MOST].iter().all(|s| unseen(self.gradient(j, *s))) {
+            self.follow(j, both, MOST * unit)
+        } else {
+            Way::Plain
+        }
     }
 
     /// Whether a stiffness, weak as it is beside what it is the sum of, is one: the same on both sides of the place as far off as rounding of the force leaves that unknown. Beside a double
@@ -377,14 +427,16 @@ impl Around<'_> {
         Some((0..k * k).map(|p| against[p / k] * along.stiffness[p] * shape[p % k]).sum())
     }
 
-    /// The force on both sides, from near the place on to a displacement.
-    fn follow(&mut self, j: usize, farthest: f64) -> Way {
+    /// The force on these sides, from near the place on to a displacement.
+    fn follow(&mut self, j: usize, signs: &[f64], farthest: f64) -> Way {
         let stiffness = self.directions[j].stiffness;
         let (mut before, mut open, mut s) = (None, false, LEAST);
         while s <= farthest {
-            let sides = [s, -s].map(|s| self.gradient(j, s).map(|[g, noise]| (if g.abs() > CLEAR * noise { g } else { 0.0 }, s)));
-            let [Some(there), Some(here)] = sides else { return if open { Way::Open } else { Way::Plain } };
-            let sides = [there, here];
+            let Some(here) = signs.iter().map(|sign| self.gradient(j, sign * s)).collect::<Option<Vec<_>>>() else {
+                return if open { Way::Open } else { Way::Plain };
+            };
+            let clear = |([g, noise], sign): (&[f64; 2], &f64)| (if g.abs() > CLEAR * noise { *g } else { 0.0 }, sign * s);
+            let sides: Vec<(f64, f64)> = here.iter().zip(signs).map(clear).collect();
             let falls = sides.iter().any(|(g, s)| g * s < 0.0);
             let clear = sides.iter().all(|(g, _)| *g != 0.0);
             open |= sides.iter().any(|(g, _)| *g != 0.0);

@@ -9,5 +9,6 @@ pub mod contacts;
 pub mod degenerate;
 pub mod fall;
 pub mod kinks;
+pub mod onesided;
 pub mod report;
 pub mod stability;

@@ -14,8 +14,8 @@ use symbolic::{Equations, SymbolId};
 use words::Text;
 
 use super::degenerate::{Degenerate, degenerate, remark};
-use super::kinks;
 use super::stability::{free_directions, verdict, with_closed};
+use super::{kinks, onesided};
 use crate::audits;
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::linear::LinearMachine;
@@ -48,12 +48,15 @@ struct Row {
     degenerate: Option<Degenerate>,
     /// Whether a force has a kink there.
     kink: bool,
+    /// Contacts (by reaction) that only touch there and keep small motions on one side.
+    touching: Vec<usize>,
 }
 
 impl Row {
     /// A place of which nothing is decided.
     fn of(place: Place, second: Option<f64>) -> Row {
-        Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false }
+        let (growth, negative, touching) = (f64::NAN, f64::NAN, Vec::new());
+        Row { place, stable: None, growth, negative, free: 0, second, degenerate: None, kink: false, touching }
     }
 }
 
@@ -139,7 +142,7 @@ fn attempt(
     if rows.iter().any(|r| r.free > 0) {
         notes.push(crate::studies::equilibrium::neutral());
     }
-    notes.extend(not_linear(&rows));
+    notes.extend(not_linear(equations, &rows));
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
@@ -275,9 +278,15 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
 }
 
 /// What is to be said of places whose small motions are not linear.
-fn not_linear(rows: &[Row]) -> Vec<Text> {
+fn not_linear(equations: &Equations, rows: &[Row]) -> Vec<Text> {
     let degenerate = remark(rows.iter().filter_map(|r| r.degenerate.as_ref()));
-    degenerate.into_iter().chain(rows.iter().any(|r| r.kink).then(kinks::remark)).collect()
+    let mut touching: Vec<usize> = rows.iter().flat_map(|r| r.touching.iter().copied()).collect();
+    touching.sort_unstable();
+    touching.dedup();
+    let labels: Vec<&Text> = touching.iter().map(|r| &equations.reactions[*r].label).collect();
+    let decided = rows.iter().all(|r| r.touching.is_empty() || r.stable.is_some());
+    let touching = (!labels.is_empty()).then(|| onesided::remark(&labels, decided));
+    degenerate.into_iter().chain(rows.iter().any(|r| r.kink).then(kinks::remark)).chain(touching).collect()
 }
 
 fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fault> {
@@ -286,7 +295,10 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     let mut row = Row::of(place, second);
     // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
-    let closed = with_closed(studied.motion, &row.place.closed);
+    let standing = onesided::standing(equations, parameters, &row.place)?;
+    // what only touches holds no small motion
+    let held = if standing.touching.is_empty() { &row.place.closed } else { &standing.pressing };
+    let closed = with_closed(studied.motion, held);
     let Ok(mut linear) = LinearMachine::new(&Arc::new(closed), About::Rest) else { return Ok(row) };
     let at = linear.about(&row.place, equations);
     let Ok(matrices) = linear.at(&at) else { return Ok(row) };
@@ -298,6 +310,12 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     if along.n == 0 {
         // the connections leave no motion: isolated, without roots
         (row.stable, row.negative) = (Some(true), 0.0);
+        return Ok(row);
+    }
+    if !standing.touching.is_empty() {
+        let open = strange || kinks::is_kink(&mut linear, &at);
+        row.stable = if open { None } else { onesided::verdict(&mut linear, &at, &standing.touching) };
+        (row.touching, row.free) = (standing.touching.into_iter().map(|(r, _)| r).collect(), 0);
         return Ok(row);
     }
     let names = linear.coordinates().to_vec();
