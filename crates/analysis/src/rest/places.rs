@@ -426,12 +426,12 @@ impl Search<'_> {
         ));
     }
 
-    /// The unit of strides: angles count as they are, lengths by the size of the machine.
+    /// The unit of strides: angles count as they are, lengths by the size of the machine, here or at the start: towards zero strides would shrink with the place, and never pass it.
     fn length(&self, q: &[f64]) -> f64 {
         if self.angles.iter().any(|a| *a) {
             return 1.0;
         }
-        let size = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let size = q.iter().chain(&self.start).fold(0.0_f64, |m, v| m.max(v.abs()));
         if size > 0.0 { size } else { 1.0 }
     }
 
@@ -509,7 +509,7 @@ pub(crate) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> 
 }
 
 /// An orthonormal basis of the null space of the places' rows.
-pub(super) fn tangents_of(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
+pub(crate) fn tangents_of(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
     let size = |r: &Row| r.slopes[..n].iter().fold(0.0_f64, |m, s| m.max(s.abs()));
     let scaled: Vec<f64> =
         rows.places.iter().filter(|r| size(r) > 0.0).flat_map(|r| r.slopes[..n].iter().map(move |s| s / size(r))).collect();

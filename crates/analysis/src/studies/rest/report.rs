@@ -15,7 +15,7 @@ use words::Text;
 
 use super::degenerate::{Degenerate, degenerate, remark};
 use super::stability::{free_directions, verdict, with_closed};
-use super::{kinks, onesided};
+use super::{frictions, kinks, onesided};
 use crate::audits;
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::linear::LinearMachine;
@@ -127,10 +127,10 @@ fn attempt(
             notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
-        _ if rough && !rows.is_empty() => notes.push(Text::new(
-            "these are the places of rest without dry friction; with it the machine also rests around them",
-            "это положения равновесия без сухого трения; с ним машина покоится и в их окрестности",
-        )),
+        _ if rough && !rows.is_empty() => {
+            let places: Vec<&Place> = rows.iter().map(|r| &r.place).collect();
+            notes.push(frictions::remark(equations, parameters, &places));
+        }
         _ => {}
     }
     if rows.is_empty() && fault.is_none() {
