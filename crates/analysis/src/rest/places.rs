@@ -19,6 +19,7 @@ use words::Text;
 
 use super::fine::Sought;
 use super::newton::{self, SOLVED, balance, worst};
+use super::poles;
 use super::search::{self, Equilibrium, Range};
 use super::sizes::NOISE;
 use super::system::{Parts, RestSystem, Row, Rows};
@@ -70,6 +71,8 @@ pub struct Places {
     pub notes: Vec<Text>,
     /// Whether the search along a range can have missed a place.
     pub open: bool,
+    /// Places at which a force has a pole.
+    poles: Vec<Vec<f64>>,
     /// Contacts, each with a place beside which its gap changes its sign along the range.
     touched: Vec<(usize, Vec<f64>)>,
 }
@@ -116,6 +119,11 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
         found.notes.push(faults::one_of_many(name));
     }
     if let Some(Range { coordinate, from, to }) = options.over {
+        let mut values: Vec<f64> = found.poles.iter().map(|q| q[coordinate]).filter(|v| (from..=to).contains(v)).collect();
+        values.arrange_by(f64::total_cmp);
+        values.dedup_by(|a, b| (*a - *b).abs() <= ONE * (to - from));
+        let name = &equations.graph.symbol_info(equations.coordinates[coordinate].symbols[0]).name;
+        found.notes.extend(search::at_poles(name, &values));
         // places at an end of the range belong to it
         let slack = 1e-9 * (to - from);
         found.list.retain(|p| (from - slack..=to + slack).contains(&p.q[coordinate]));
@@ -291,10 +299,28 @@ impl Search<'_> {
             }
             return;
         }
+        if self.is_pole(q) {
+            self.found.poles.push(q.to_vec());
+            return;
+        }
         if !self.join(q) {
             let place = self.place(z, below);
             self.found.list.push(place);
         }
+    }
+
+    /// Whether the force along some motion that is left has a pole there.
+    fn is_pole(&mut self, q: &[f64]) -> bool {
+        let sizes = self.system.sizes().at(&[q]);
+        self.tangents(q).unwrap_or_default().iter().any(|tangent| {
+            poles::is_pole(&mut |s| {
+                let mut there: Vec<f64> = q.iter().zip(tangent).zip(&sizes).map(|((q, t), size)| q + s * size * t).collect();
+                let rows = draw(&mut self.system, &mut there, None)?;
+                let z = self.system.z(&there);
+                let clear = |row: &&Row| newton::relative(row, &z) > poles::CLEAR;
+                Some(vec![rows.forces.iter().zip(tangent).filter(|(row, _)| clear(row)).map(|(row, t)| row.value * t).sum()])
+            })
+        })
     }
 
     /// Joins a place with one that is found, where they are one but for rounding; the middle of both stands for them.
