@@ -36,6 +36,14 @@ pub fn neutral() -> Text {
     )
 }
 
+/// What is said where nobody knows whether places are isolated.
+pub fn undecided() -> Text {
+    Text::new(
+        "not decided: in at least one direction no stiffness resists a small motion; whether forces of higher order do, and whether these places are isolated, is left open",
+        "не решено: хотя бы в одном направлении жёсткость малому движению не противится; противятся ли ему силы высших порядков и изолированы ли эти положения, остаётся открытым",
+    )
+}
+
 /// What rest means.
 pub(crate) fn rates_are_zero() -> Text {
     Text::new("rates are zero", "скорости равны нулю")

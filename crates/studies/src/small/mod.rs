@@ -26,7 +26,7 @@ use analysis::studies::equilibrium::Equilibrium;
 use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::studies::rest::branch::{Beyond, Branch};
 use analysis::studies::rest::contacts::Contacts;
-use analysis::studies::rest::degenerate::{degenerate, remark};
+use analysis::studies::rest::degenerate::{degenerate, remark, rests_beside};
 use analysis::studies::rest::stability::with_closed;
 use analysis::studies::rest::{kinks, onesided};
 use analysis::{Dataset, Fault, Quantity, System};
@@ -261,7 +261,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     let rows = data.columns.first().map_or(0, |c| c.values.len());
     let (mut growth, mut negative) = (Vec::new(), Vec::new());
     let mut verdicts = Vec::new();
-    let (mut higher, mut neutral, mut kink) = (Vec::new(), false, false);
+    let (mut higher, mut kink, mut lines) = (Vec::new(), false, [false; 2]);
     for row in 0..rows {
         let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
         let Some(q) = q else { return };
@@ -284,7 +284,9 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
             negative.push(f64::NAN);
             continue;
         }
-        neutral |= verdict.is_none();
+        if verdict.is_none() && matrices.as_ref().is_ok_and(|m| analysis::studies::rest::stability::free_directions(m) > 0) {
+            lines[usize::from(rests_beside(&mut linear, &place))] = true;
+        }
         verdicts.push(of(verdict));
         growth.push(found.as_ref().map_or(f64::NAN, |_| grows));
         negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));
@@ -292,10 +294,11 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     if let Some(stable) = data.columns.iter_mut().find(|c| c.quantity.name == "stable") {
         stable.values = verdicts;
     }
-    if let Some(remark) = remark(higher.iter()) {
-        data.notes.retain(|note| neutral || *note != analysis::studies::equilibrium::neutral());
-        data.notes.push(remark);
-    }
+    // along a range nothing is said of free motions: they are refused
+    let told = data.notes.iter().any(|note| *note == analysis::studies::equilibrium::neutral());
+    data.notes.retain(|note| lines[1] || *note != analysis::studies::equilibrium::neutral());
+    data.notes.extend((told && lines[0]).then(analysis::studies::equilibrium::undecided));
+    data.notes.extend(remark(higher.iter()));
     data.notes.extend(kink.then(kinks::remark));
     let column = |name: &str, unit: &str, label: Text, values: Vec<f64>| Column {
         quantity: Quantity { label, ..Quantity::new(name, unit) },

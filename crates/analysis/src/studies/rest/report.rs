@@ -13,7 +13,7 @@ use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
 use words::Text;
 
-use super::degenerate::{Degenerate, degenerate, remark};
+use super::degenerate::{Degenerate, degenerate, remark, rests_beside};
 use super::stability::{free_directions, verdict, with_closed};
 use super::{frictions, kinks, onesided};
 use crate::audits;
@@ -44,6 +44,8 @@ struct Row {
     growth: f64,
     negative: f64,
     free: usize,
+    /// Whether one of the free directions is seen to lead along places of rest.
+    lies: bool,
     second: Option<f64>,
     degenerate: Option<Degenerate>,
     /// Whether a force has a kink there.
@@ -56,7 +58,7 @@ impl Row {
     /// A place of which nothing is decided.
     fn of(place: Place, second: Option<f64>) -> Row {
         let (growth, negative, touching) = (f64::NAN, f64::NAN, Vec::new());
-        Row { place, stable: None, growth, negative, free: 0, second, degenerate: None, kink: false, touching }
+        Row { place, stable: None, growth, negative, free: 0, lies: false, second, degenerate: None, kink: false, touching }
     }
 }
 
@@ -139,9 +141,9 @@ fn attempt(
             None => nowhere(equations, parameters, q),
         });
     }
-    if rows.iter().any(|r| r.free > 0) {
-        notes.push(crate::studies::equilibrium::neutral());
-    }
+    let free = |lies: bool| rows.iter().any(|r| r.free > 0 && r.lies == lies);
+    notes.extend(free(true).then(crate::studies::equilibrium::neutral));
+    notes.extend(free(false).then(crate::studies::equilibrium::undecided));
     notes.extend(not_linear(equations, &rows));
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
@@ -330,12 +332,14 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     if kinks::is_kink(&mut linear, &at) {
         (row.stable, row.growth, row.negative, row.kink) = (None, f64::NAN, f64::NAN, true);
         row.degenerate = None;
-        return Ok(row);
+    } else if let Some(found) = &row.degenerate {
+        (row.stable, row.growth, row.negative) = (found.stable, f64::NAN, f64::NAN);
+        // the place is isolated in these
+        row.free = row.free.saturating_sub(found.directions());
     }
-    if let Some(Degenerate { stable, .. }) = &row.degenerate {
-        (row.stable, row.growth, row.negative) = (*stable, f64::NAN, f64::NAN);
-        // one direction less: the place is isolated in it
-        row.free = row.free.saturating_sub(1);
+    row.lies = row.free > 0 && rests_beside(&mut linear, &at);
+    if row.kink && !row.lies {
+        row.free = 0;
     }
     Ok(row)
 }
