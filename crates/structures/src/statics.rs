@@ -244,7 +244,8 @@ impl<S: Scalar> Statics<S> {
 }
 
 impl Statics<f64> {
-    /// The stations of a rod with those where the bending moment (V = 0) and the shear force (q = 0) have their extremes between them.
+    /// The stations of a rod with those where the bending moment (V = 0), the shear force and the normal force (no load across, or along) have their extremes between
+    /// them.
     pub fn diagram(&self, assembly: &Assembly<f64>, rod: usize, between: usize) -> Vec<Station<f64>> {
         let mut out = self.stations(assembly, rod, between);
         for (i, part) in assembly.freedoms.parts.iter().enumerate().filter(|p| p.1.rod == rod) {
@@ -268,14 +269,17 @@ impl Statics<f64> {
         out
     }
 
-    /// Places inside a stretch without concentrated loads where the shear force or the load across vanishes: V' = q, q linear.
+    /// Places inside a stretch without concentrated loads where the shear force, the load across or that along vanishes: V' = q, N' = -p, both linear.
     fn turning(&self, i_part: usize, [from, to]: [f64; 2], passed: usize, length: f64) -> Vec<f64> {
         let carried = &self.carried[i_part];
-        let sum = |end: usize| carried.distributed.iter().map(|q| q[end][1]).sum::<f64>();
-        let slope = (sum(1) - sum(0)) / length;
-        let here = sum(0) + slope * from;
+        let load = |k: usize| {
+            let sum = |end: usize| carried.distributed.iter().map(|q| q[end][k]).sum::<f64>();
+            let slope = (sum(1) - sum(0)) / length;
+            [sum(0) + slope * from, slope]
+        };
+        let ([along, change], [here, slope]) = (load(0), load(1));
         let shear = self.section(i_part, carried, (&from, &length), passed).shear;
-        let mut steps = vec![-here / slope];
+        let mut steps = vec![-along / change, -here / slope];
         // V + q s + q' s²/2 = 0, the form without cancellation
         let root = here * here - 2.0 * slope * shear;
         if root >= 0.0 {

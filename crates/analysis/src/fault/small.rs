@@ -14,15 +14,39 @@ const FOLLOWED_RU: &str = "Рама под машиной входит в ура
 
 /// S092.
 pub(crate) fn refused(why: Text) -> Fault {
+    let help = Text::new(
+        "leave out conditions that repeat others, or use `simulate` or `periodic`",
+        "уберите связи, повторяющие другие, либо примените `simulate` или `periodic`",
+    );
+    not_linear(why, help)
+}
+
+fn not_linear(why: Text, help: Text) -> Fault {
     Fault::new(Message {
         code: "S092",
         what: Text::new("no linear equations of small motions here", "линейных уравнений малых движений здесь нет"),
         why,
-        help: Text::new(
-            "leave out conditions that repeat others, or use `simulate` or `periodic`",
-            "уберите связи, повторяющие другие, либо примените `simulate` или `periodic`",
-        ),
+        help,
     })
+}
+
+/// S092 where contacts only touch at the place of rest.
+pub fn one_sided(labels: &[Text]) -> Fault {
+    let list = |pick: fn(&Text) -> &str| labels.iter().map(pick).collect::<Vec<_>>().join(", ");
+    let (en, ru) = (list(|t| &t.en), list(|t| &t.ru));
+    let why = Text::new(
+        format!(
+            "a one-sided contact is closed at the place of rest and presses with no force ({en}): it only touches, and small motions are one-sided"
+        ),
+        format!(
+            "односторонняя связь в положении равновесия замкнута, но не нагружена ({ru}): она лишь касается, и малые движения односторонние"
+        ),
+    );
+    let help = Text::new(
+        "leave the contact out if it takes no part, or load it so that it presses; `simulate` and `periodic` follow the motion with the contact",
+        "уберите эту связь, если она не участвует, или нагрузите её; движение с нею рассчитывают `simulate` и `periodic`",
+    );
+    not_linear(why, help)
 }
 
 /// S066.

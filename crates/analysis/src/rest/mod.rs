@@ -17,6 +17,7 @@ pub mod numbers;
 pub mod observed;
 pub mod path;
 pub mod places;
+mod poles;
 pub(crate) mod rows;
 pub mod search;
 mod settled;

@@ -24,7 +24,7 @@ fn size(row: &Row, z: &[f64]) -> f64 {
 }
 
 /// Value of a row relative to the terms that meet in it.
-pub(super) fn relative(row: &Row, z: &[f64]) -> f64 {
+pub(crate) fn relative(row: &Row, z: &[f64]) -> f64 {
     if row.value == 0.0 { 0.0 } else { row.value.abs() / size(row, z) }
 }
 

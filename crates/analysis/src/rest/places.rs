@@ -19,6 +19,7 @@ use words::Text;
 
 use super::fine::Sought;
 use super::newton::{self, SOLVED, balance, worst};
+use super::poles;
 use super::search::{self, Equilibrium, Range};
 use super::sizes::NOISE;
 use super::system::{Parts, RestSystem, Row, Rows};
@@ -70,6 +71,8 @@ pub struct Places {
     pub notes: Vec<Text>,
     /// Whether the search along a range can have missed a place.
     pub open: bool,
+    /// Places at which a force has a pole.
+    poles: Vec<Vec<f64>>,
     /// Contacts, each with a place beside which its gap changes its sign along the range.
     touched: Vec<(usize, Vec<f64>)>,
 }
@@ -116,6 +119,11 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
         found.notes.push(faults::one_of_many(name));
     }
     if let Some(Range { coordinate, from, to }) = options.over {
+        let mut values: Vec<f64> = found.poles.iter().map(|q| q[coordinate]).filter(|v| (from..=to).contains(v)).collect();
+        values.arrange_by(f64::total_cmp);
+        values.dedup_by(|a, b| (*a - *b).abs() <= ONE * (to - from));
+        let name = &equations.graph.symbol_info(equations.coordinates[coordinate].symbols[0]).name;
+        found.notes.extend(search::at_poles(name, &values));
         // places at an end of the range belong to it
         let slack = 1e-9 * (to - from);
         found.list.retain(|p| (from - slack..=to + slack).contains(&p.q[coordinate]));
@@ -282,13 +290,37 @@ impl Search<'_> {
             }
             return;
         }
-        if self.found.list.iter().any(|p| self.system.sizes().same([&p.q, q], &self.start, ONE)) {
+        let same = |p: &Place| self.system.sizes().same([&p.q, q], &self.start, ONE);
+        if let Some(k) = self.found.list.iter().position(same) {
+            // where a contact only touches the place is that at which its gap vanishes: without it a multiple zero is known to the root of rounding
+            let before = &self.found.list[k].closed;
+            if before.len() < self.closed.len() && before.iter().all(|r| self.closed.contains(r)) {
+                self.found.list[k] = self.place(z, below);
+            }
+            return;
+        }
+        if self.is_pole(q) {
+            self.found.poles.push(q.to_vec());
             return;
         }
         if !self.join(q) {
             let place = self.place(z, below);
             self.found.list.push(place);
         }
+    }
+
+    /// Whether the force along some motion that is left has a pole there.
+    fn is_pole(&mut self, q: &[f64]) -> bool {
+        let sizes = self.system.sizes().at(&[q]);
+        self.tangents(q).unwrap_or_default().iter().any(|tangent| {
+            poles::is_pole(&mut |s| {
+                let mut there: Vec<f64> = q.iter().zip(tangent).zip(&sizes).map(|((q, t), size)| q + s * size * t).collect();
+                let rows = draw(&mut self.system, &mut there, None)?;
+                let z = self.system.z(&there);
+                let clear = |row: &&Row| newton::relative(row, &z) > poles::CLEAR;
+                Some(vec![rows.forces.iter().zip(tangent).filter(|(row, _)| clear(row)).map(|(row, t)| row.value * t).sum()])
+            })
+        })
     }
 
     /// Joins a place with one that is found, where they are one but for rounding; the middle of both stands for them.
@@ -420,12 +452,12 @@ impl Search<'_> {
         ));
     }
 
-    /// The unit of strides: angles count as they are, lengths by the size of the machine.
+    /// The unit of strides: angles count as they are, lengths by the size of the machine, here or at the start: towards zero strides would shrink with the place, and never pass it.
     fn length(&self, q: &[f64]) -> f64 {
         if self.angles.iter().any(|a| *a) {
             return 1.0;
         }
-        let size = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let size = q.iter().chain(&self.start).fold(0.0_f64, |m, v| m.max(v.abs()));
         if size > 0.0 { size } else { 1.0 }
     }
 
@@ -493,7 +525,7 @@ pub(super) fn draw(system: &mut RestSystem, q: &mut [f64], held: Option<usize>) 
 }
 
 /// Whether a reaction is what rounding of the other forces leaves: beside what they change by with the coordinates, wherever it acts.
-pub(super) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
+pub(crate) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> bool {
     let n = sizes.len();
     let others = |r: &Row| r.slopes[..n].iter().zip(sizes).map(|(s, size)| s.abs() * size).sum::<f64>();
     // a force that the coordinates do not change tells nothing of its rounding: the largest of the others does
@@ -503,7 +535,7 @@ pub(super) fn is_noise(rows: &Rows, z: &[f64], sizes: &[f64], column: usize) -> 
 }
 
 /// An orthonormal basis of the null space of the places' rows.
-pub(super) fn tangents_of(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
+pub(crate) fn tangents_of(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
     let size = |r: &Row| r.slopes[..n].iter().fold(0.0_f64, |m, s| m.max(s.abs()));
     let scaled: Vec<f64> =
         rows.places.iter().filter(|r| size(r) > 0.0).flat_map(|r| r.slopes[..n].iter().map(move |s| s / size(r))).collect();

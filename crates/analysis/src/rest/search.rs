@@ -3,6 +3,7 @@
 use words::{Message, Text};
 
 use super::fine::Sought;
+use super::poles;
 use super::sizes::Sizes;
 use crate::peaks;
 use crate::{Fault, System};
@@ -122,10 +123,21 @@ pub(crate) enum Searched {
     Guessed,
 }
 
+/// What is said of poles in a range, by the values of its coordinate.
+pub(crate) fn at_poles(name: &str, values: &[f64]) -> Option<Text> {
+    let list = |pick: fn(&Text) -> &str, gap: &str| values.iter().map(|v| pick(&rounded(*v)).to_owned()).collect::<Vec<_>>().join(gap);
+    (!values.is_empty()).then(|| {
+        Text::new(
+            format!("at {name} = {} a force has a pole: it changes its sign there and grows from both sides, which is no place of rest", list(|t| &t.en, ", ")),
+            format!("при {name} = {} сила имеет полюс: она меняет там знак, неограниченно возрастая с обеих сторон, и это не положение равновесия", list(|t| &t.ru, "; ")),
+        )
+    })
+}
+
 pub(crate) fn nothing_between(name: &str, (from, to): (f64, f64), searched: Searched) -> Fault {
     let (a, b) = (rounded(from), rounded(to));
     let (why_en, why_ru) = match searched {
-        Searched::Whole => ("the force along the coordinate keeps its sign there", "сила по координате там не меняет знака"),
+        Searched::Whole => ("the force along the coordinate vanishes nowhere there", "сила по координате там нигде не обращается в нуль"),
         Searched::Guessed => (
             "from guesses along the range Newton's method came to none; that is no proof that there is none",
             "из приближений вдоль диапазона метод Ньютона не нашёл ни одного; это не доказывает, что их нет",
@@ -356,6 +368,20 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
         (0..n).all(|i| (self.forces[i] * sizes[i]).abs() <= NOTHING * largest)
     }
 
+    /// Whether a force has a pole at a place along some coordinate.
+    pub(crate) fn is_pole(&mut self, x: &[f64]) -> bool {
+        let sizes = self.sizes.at(&[&x[..self.n]]);
+        (0..self.n).any(|j| {
+            poles::is_pole(&mut |s| {
+                let mut there = x.to_vec();
+                there[j] += s * sizes[j];
+                self.evaluate(&there).ok()?;
+                let clear = |i: usize| if self.share(i, &there) > poles::CLEAR { self.forces[i] } else { 0.0 };
+                Some((0..self.n).map(clear).collect())
+            })
+        })
+    }
+
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
         self.system.statics(x, &mut self.forces, &mut self.jacobian)?;
         let finite = self.forces.iter().chain(&self.jacobian).all(|v| v.is_finite());
@@ -364,15 +390,16 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
 
     /// max |h_i| / (Σ_j |K_ij q_j| + the terms that cancel in h_i).
     fn residual(&self, x: &[f64]) -> f64 {
-        let n = self.n;
-        let terms = self.system.terms();
-        (0..n).fold(0.0, |worst: f64, i| {
-            let slopes = &self.jacobian[i * n..(i + 1) * n];
-            let moved: f64 = slopes.iter().zip(x).map(|(k, q)| (k * q).abs()).sum();
-            let size = moved + terms[i] + self.sizes.beside(slopes, &x[..n]);
-            let h = self.forces[i].abs();
-            worst.max(if h == 0.0 { 0.0 } else { h / size })
-        })
+        (0..self.n).fold(0.0, |worst: f64, i| worst.max(self.share(i, x)))
+    }
+
+    /// The same of one force.
+    fn share(&self, i: usize, x: &[f64]) -> f64 {
+        let slopes = &self.jacobian[i * self.n..(i + 1) * self.n];
+        let moved: f64 = slopes.iter().zip(x).map(|(k, q)| (k * q).abs()).sum();
+        let size = moved + self.system.terms()[i] + self.sizes.beside(slopes, &x[..self.n]);
+        let h = self.forces[i].abs();
+        if h == 0.0 { 0.0 } else { h / size }
     }
 
     fn rest(&self, x: Vec<f64>) -> Rest {

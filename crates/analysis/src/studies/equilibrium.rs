@@ -10,7 +10,7 @@ use words::Text;
 use crate::audits::worst;
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::rest::newton::RESIDUAL;
-use crate::rest::search::{BESIDE, ONE, Rest, Search, Searched, Statics, nothing_between, widened};
+use crate::rest::search::{BESIDE, ONE, Rest, Search, Searched, Statics, at_poles, nothing_between, widened};
 use crate::{Quantity, System};
 
 use super::simulate::Outcome;
@@ -33,6 +33,14 @@ pub fn neutral() -> Text {
     Text::new(
         "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
         "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
+    )
+}
+
+/// What is said where nobody knows whether places are isolated.
+pub fn undecided() -> Text {
+    Text::new(
+        "not decided: in at least one direction no stiffness resists a small motion; whether forces of higher order do, and whether these places are isolated, is left open",
+        "не решено: хотя бы в одном направлении жёсткость малому движению не противится; противятся ли ему силы высших порядков и изолированы ли эти положения, остаётся открытым",
     )
 }
 
@@ -80,14 +88,14 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         turned(&mut along, &angles);
     }
     let sizes = search.sizes.clone();
-    let mut flat: Vec<[Vec<f64>; 2]> = Vec::new();
+    let (mut flat, mut poles): (Vec<[Vec<f64>; 2]>, Vec<Rest>) = Default::default();
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
-        let mut x = start.to_vec();
-        let rates = (2 * n).min(x.len());
-        x[n..rates].fill(0.0);
+        let mut x = still(start, n);
         x[..n].copy_from_slice(guess);
-        match search.sought(x) {
-            Ok(rest) if found.iter().any(|other| sizes.same([&other.q, &rest.q], &own, ONE)) => {}
+        let known = |list: &[Rest], rest: &Rest| list.iter().any(|other| sizes.same([&other.q, &rest.q], &own, ONE));
+        match search.sought(x.clone()) {
+            Ok(rest) if known(&found, &rest) || known(&poles, &rest) => {}
+            Ok(rest) if search.is_pole(&[&rest.q, &x[n..]].concat()) => poles.push(rest),
             Ok(rest) => match one(&mut search, &mut flat, &rest, start) {
                 Some((k, middle)) => found[k] = middle,
                 None => found.push(rest),
@@ -107,7 +115,13 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
             faults.push(nothing_between(&coordinates[coordinate].name, (from, to), searched));
         }
     }
+    if found.is_empty() && faults.is_empty() {
+        // poles alone
+        faults.push(no_equilibrium());
+    }
     let mut dataset = dataset(coordinates, &found, steps);
+    let within = |r: Range| poles.iter().map(|p| p.q[r.coordinate]).filter(|v| (r.from..=r.to).contains(v)).collect::<Vec<_>>();
+    dataset.notes.extend(options.over.and_then(|r| at_poles(&coordinates[r.coordinate].name, &within(r))));
     if options.over.is_some() && n > 1 {
         dataset.notes.push(Text::new(
             "found by Newton's method from guesses along the range: there may be more",
@@ -127,6 +141,14 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
     Outcome { dataset, fault }
 }
 
+/// The start without rates.
+fn still(start: &[f64], n: usize) -> Vec<f64> {
+    let mut x = start.to_vec();
+    let rates = (2 * n).min(x.len());
+    x[n..rates].fill(0.0);
+    x
+}
+
 /// Which of the places found one more belongs to, and the middle of both, where no force between them is clear of its rounding; `flat` are the ends of the places found.
 fn one<S: Statics + ?Sized>(
     search: &mut Search<'_, S>,
@@ -135,9 +157,7 @@ fn one<S: Statics + ?Sized>(
     start: &[f64],
 ) -> Option<(usize, Rest)> {
     let n = rest.q.len();
-    let mut x = start.to_vec();
-    let rates = (2 * n).min(x.len());
-    x[n..rates].fill(0.0);
+    let x = still(start, n);
     let sizes = search.sizes.clone();
     let joined = flat.iter_mut().enumerate().find_map(|(k, ends)| {
         let [a, b] = &*ends;

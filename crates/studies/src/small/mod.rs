@@ -21,17 +21,18 @@ use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
 use analysis::rest::closed_contacts;
 use analysis::rest::mean::Resting;
+use analysis::rest::places::Place as Rest;
 use analysis::studies::equilibrium::Equilibrium;
 use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::studies::rest::branch::{Beyond, Branch};
 use analysis::studies::rest::contacts::Contacts;
-use analysis::studies::rest::degenerate::{degenerate, remark};
-use analysis::studies::rest::kinks;
+use analysis::studies::rest::degenerate::{degenerate, remark, rests_beside};
 use analysis::studies::rest::stability::with_closed;
+use analysis::studies::rest::{kinks, onesided};
 use analysis::{Dataset, Fault, Quantity, System};
 use std::sync::Arc;
-use symbolic::SymbolId;
 use symbolic::linear::{About, Timing};
+use symbolic::{Equations, SymbolId};
 use words::Text;
 
 /// A machine linearised about a place.
@@ -45,9 +46,19 @@ pub struct Small {
     pub starts: Vec<Vec<f64>>,
     /// One-sided contacts, where there are some.
     pub contacts: Option<Contacts>,
+    /// Those, by their labels, that only touch at the place and keep its motions on one side.
+    touching: Vec<Text>,
 }
 
 impl Small {
+    /// Whether the small motions go to both sides of the place: else they have no linear equations.
+    ///
+    /// # Errors
+    /// S092.
+    pub fn two_sided(&self) -> Result<(), Fault> {
+        if self.touching.is_empty() { Ok(()) } else { Err(analysis::fault::small::one_sided(&self.touching)) }
+    }
+
     /// The place of rest along a parameter.
     pub fn branch(&self, parameter: usize) -> Branch {
         Branch::new(&self.machine, parameter, &self.place, self.starts.clone()).with_contacts(self.contacts.clone(), Beyond::Followed)
@@ -66,7 +77,7 @@ pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small,
     let start = machine.system.start()?;
     let starts = candidates(machine, &start, guess);
     let place = rest(&mut linear, &starts)?;
-    Ok(Small { machine: linear, place, starts, contacts: None })
+    Ok(Small { machine: linear, place, starts, contacts: None, touching: Vec::new() })
 }
 
 /// The equations linearised about rest; what nobody gives is found anew for other values of parameters.
@@ -96,9 +107,7 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     }
     let mut first = None;
     for place in found {
-        let closed = with_closed(&machine.equations, &place.closed);
-        let mut linear = following(machine, closed)?;
-        let at = linear.about(&place, equations);
+        let (mut linear, at, touching, closed) = standing(machine, (equations, &values), &place)?;
         if !guess.is_empty() || stable(&mut linear, &at) {
             let reaction = |name: &str| {
                 let r = equations.reactions.iter().position(|r| r.name == name);
@@ -107,22 +116,32 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
             if let Some(fault) = crate::strands::pushing(machine, reaction) {
                 return Err(fault);
             }
-            return held(machine, (linear, at), guesses, &place.closed);
+            let contacts = Contacts::new(&machine.equations, &closed)?;
+            return Ok(Small { machine: linear, place: at, starts: guesses, contacts, touching });
         }
-        first.get_or_insert((linear, at, place.closed));
+        first.get_or_insert((linear, at, touching, closed));
     }
-    let (mut linear, mut at, closed) = first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)?;
+    let (mut linear, mut at, mut touching, closed) = first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)?;
     let mut contacts = Contacts::new(&machine.equations, &closed)?;
     if let Some(place) = stable_below(&mut linear, (&at, &guesses), contacts.as_mut()) {
         at = place;
+        touching.clear();
     }
-    Ok(Small { machine: linear, place: at, starts: guesses, contacts })
+    Ok(Small { machine: linear, place: at, starts: guesses, contacts, touching })
 }
 
-/// With the contacts that are closed at the place.
-fn held(machine: &Machine, (linear, place): (LinearMachine, Place), starts: Vec<Vec<f64>>, closed: &[usize]) -> Result<Small, Fault> {
-    let contacts = Contacts::new(&machine.equations, closed)?;
-    Ok(Small { machine: linear, place, starts, contacts })
+/// A machine about a place, the labels of the contacts that only touch there, and those that hold it.
+type Standing = (LinearMachine, Place, Vec<Text>, Vec<usize>);
+
+/// The machine about a place of rest, with the contacts that press there as connections.
+fn standing(machine: &Machine, (equations, values): (&Equations, &[f64]), place: &Rest) -> Result<Standing, Fault> {
+    let onesided::Standing { pressing, touching } = onesided::standing(equations, values, place)?;
+    let closed = if touching.is_empty() { place.closed.clone() } else { pressing };
+    let mut linear = following(machine, with_closed(&machine.equations, &closed))?;
+    let at = linear.about(place, equations);
+    let bounds = !touching.is_empty() && onesided::bounds(&mut linear, &at, &touching)?;
+    let labels = touching.iter().filter(|_| bounds).map(|(r, _)| equations.reactions[*r].label.clone()).collect();
+    Ok((linear, at, labels, closed))
 }
 
 /// Linearises a machine about the motion that it has at the start.
@@ -148,7 +167,7 @@ pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
     } else {
         place = linear.moving(&place)?;
     }
-    Ok(Small { machine: linear, place, starts: Vec::new(), contacts: None })
+    Ok(Small { machine: linear, place, starts: Vec::new(), contacts: None, touching: Vec::new() })
 }
 
 /// From where rest is sought: the first stable equilibrium, or the first.
@@ -242,7 +261,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     let rows = data.columns.first().map_or(0, |c| c.values.len());
     let (mut growth, mut negative) = (Vec::new(), Vec::new());
     let mut verdicts = Vec::new();
-    let (mut higher, mut neutral, mut kink) = (Vec::new(), false, false);
+    let (mut higher, mut kink, mut lines) = (Vec::new(), false, [false; 2]);
     for row in 0..rows {
         let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
         let Some(q) = q else { return };
@@ -265,7 +284,9 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
             negative.push(f64::NAN);
             continue;
         }
-        neutral |= verdict.is_none();
+        if verdict.is_none() && matrices.as_ref().is_ok_and(|m| analysis::studies::rest::stability::free_directions(m) > 0) {
+            lines[usize::from(rests_beside(&mut linear, &place))] = true;
+        }
         verdicts.push(of(verdict));
         growth.push(found.as_ref().map_or(f64::NAN, |_| grows));
         negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));
@@ -273,10 +294,11 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     if let Some(stable) = data.columns.iter_mut().find(|c| c.quantity.name == "stable") {
         stable.values = verdicts;
     }
-    if let Some(remark) = remark(higher.iter()) {
-        data.notes.retain(|note| neutral || *note != analysis::studies::equilibrium::neutral());
-        data.notes.push(remark);
-    }
+    // along a range nothing is said of free motions: they are refused
+    let told = data.notes.iter().any(|note| *note == analysis::studies::equilibrium::neutral());
+    data.notes.retain(|note| lines[1] || *note != analysis::studies::equilibrium::neutral());
+    data.notes.extend((told && lines[0]).then(analysis::studies::equilibrium::undecided));
+    data.notes.extend(remark(higher.iter()));
     data.notes.extend(kink.then(kinks::remark));
     let column = |name: &str, unit: &str, label: Text, values: Vec<f64>| Column {
         quantity: Quantity { label, ..Quantity::new(name, unit) },

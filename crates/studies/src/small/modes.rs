@@ -95,6 +95,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     if machine.equations.coordinates.is_empty() {
         return Err(analysis::fault::nothing_moves());
     }
+    small.two_sided()?;
     let mut matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
     let degenerate = if study.about_start { None } else { degenerate(&mut small.machine, &small.place) };

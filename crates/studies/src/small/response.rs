@@ -153,6 +153,7 @@ fn mounted(machine: &Machine, study: &Study, small: Small, out: (&mut ResponseFo
 #[expect(clippy::too_many_lines, reason = "in the order of its page")]
 fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut ResponseFound, &mut Dataset)) -> Result<(), Fault> {
     let names = small.machine.coordinates().to_vec();
+    small.two_sided()?;
     let matrices = small.machine.at(&small.place)?;
     if small.machine.timing().driven {
         return Err(forced::through_connections());

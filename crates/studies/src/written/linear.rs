@@ -21,7 +21,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) -> Option<Coefficients> {
     if n == 0 || study.word("about").is_some() {
         return None;
     }
-    let small = crate::small::about_rest(&work.calculation.machine, study.guess()).ok()?;
+    let small = crate::small::about_rest(&work.calculation.machine, study.guess()).ok().filter(|small| small.two_sided().is_ok())?;
     if !small.machine.linear().conditions.is_empty() {
         let found = super::tied::write(work, &small, pen)?;
         after(work, &found, pen);

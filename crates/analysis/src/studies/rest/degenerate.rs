@@ -37,6 +37,10 @@ const MOST: f64 = 0.1;
 const APART: f64 = 3.2;
 /// Displacements at which a stiffness is looked at before the force is followed.
 const LOOKS: [f64; 2] = [1e-3, 1e-6];
+/// The same where nothing acts on a line of places.
+const SHOWN: [f64; 6] = [1e-5, 1e-3, 1e-2, 0.1, FAR, 1.0];
+/// Where sums of the order of one cancel, as those of (1 - cos s)⁴ expanded, a force of high order is clear of them no sooner.
+const FAR: f64 = 0.45;
 /// Change of the force over a look beside what the stiffness makes of it, beyond which it is followed.
 const BENT: f64 = 30.0;
 /// The same where the force is clear of its rounding: a line is off by the rounding and by the bend of a regular place, both far less.
@@ -59,6 +63,8 @@ const ODD: f64 = 1e-9;
 const EVEN: f64 = 256.0 * f64::EPSILON;
 /// Singular values below this share of the largest, about the root of a rounding, have left vectors of their own: Aᵀ A knows none of them from zero.
 const FLAT: f64 = 1e-7;
+/// Share of the largest stiffness, coordinates alike, that counts as none beside a contact that touches.
+const NEARLY: f64 = 1e-9;
 /// Most directions that are looked at.
 const DIRECTIONS: usize = 24;
 
@@ -80,6 +86,11 @@ struct Rounded {
 }
 
 impl Degenerate {
+    /// Directions whose stiffness is rounding.
+    pub fn directions(&self) -> usize {
+        self.flat.len()
+    }
+
     /// The matrices without that rounding.
     pub fn settle(&self, matrices: &mut Matrices) {
         let n = matrices.n;
@@ -94,9 +105,39 @@ impl Degenerate {
     }
 }
 
+/// Sides of a place on which a direction is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sides {
+    Both,
+    Ahead,
+    Behind,
+    Neither,
+}
+
+impl Sides {
+    /// Those of them on which a gap with this slope along the direction does not close.
+    pub(super) fn within(self, slope: f64) -> Sides {
+        match (self, slope) {
+            (Sides::Both | Sides::Ahead, a) if a > 0.0 => Sides::Ahead,
+            (Sides::Both | Sides::Behind, a) if a < 0.0 => Sides::Behind,
+            (sides, 0.0) => sides,
+            _ => Sides::Neither,
+        }
+    }
+
+    fn signs(self) -> &'static [f64] {
+        match self {
+            Sides::Both => &[1.0, -1.0],
+            Sides::Ahead => &[1.0],
+            Sides::Behind => &[-1.0],
+            Sides::Neither => &[],
+        }
+    }
+}
+
 /// How the force goes in a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Way {
+pub(super) enum Way {
     /// Like a stiffness, or nothing at all.
     Plain,
     /// Against the displacement on both sides.
@@ -131,6 +172,35 @@ pub fn degenerate(machine: &mut LinearMachine, place: &Place) -> Option<Degenera
         () => None,
     };
     Some(Degenerate { stable, flat })
+}
+
+/// Whether a direction leads along places of rest, on one side at least: no force in it is clear of its rounding at any of the displacements, where all others are relaxed.
+pub fn rests_beside(machine: &mut LinearMachine, place: &Place) -> bool {
+    let Some(mut around) = Around::new(machine, place) else { return false };
+    let switches = around.machine.linear().force.clone();
+    let graph = &around.machine.linear().graph;
+    let shorter = graph.reachable(&switches).into_iter().any(|e| graph.node(e).switches());
+    // the edge of a play ends a line of places
+    let looks = if shorter { &SHOWN[..1] } else { &SHOWN[..] };
+    (0..around.directions.len()).any(|j| {
+        [1.0, -1.0].iter().any(|sign| {
+            let mut rests = |s: f64| around.gradient(j, sign * s).is_some_and(|[g, noise]| g.abs() <= CLEAR * noise);
+            looks.iter().all(|s| rests(*s))
+        })
+    })
+}
+
+/// How the force goes in the only direction without stiffness, on the sides that are allowed of it; none where there are several, or one in which the energy falls.
+pub(super) fn along_one(machine: &mut LinearMachine, place: &Place, sides: &mut dyn FnMut(&[f64]) -> Sides) -> Option<Way> {
+    let mut around = Around::new(machine, place)?;
+    let most = around.directions.iter().fold(0.0_f64, |m, d| m.max(d.part.stiffness.abs()));
+    let mut flat = (0..around.directions.len()).filter(|j| around.directions[*j].part.stiffness <= NEARLY * most);
+    let j = flat.next()?;
+    if flat.next().is_some() || around.directions[j].part.stiffness < -NEARLY * most {
+        return None;
+    }
+    let signs = sides(&around.directions[j].shape).signs();
+    (!signs.is_empty()).then(|| around.follow(j, signs, MOST))
 }
 
 /// What is to be said of such places.
@@ -327,6 +397,7 @@ impl Around<'_> {
 
     fn way(&mut self, j: usize) -> Way {
         let stiffness = self.directions[j].stiffness;
+        let both = Sides::Both.signs();
         let straight = |around: &mut Self, s: f64| {
             let [there, here] = [around.gradient(j, s), around.gradient(j, -s)];
             let off =
@@ -334,12 +405,23 @@ impl Around<'_> {
             !off(there, s) && !off(here, -s)
         };
         if !LOOKS.iter().all(|s| straight(self, *s)) {
-            return if self.is_resolved(j) { Way::Plain } else { self.follow(j, MOST) };
+            return if self.is_resolved(j) { Way::Plain } else { self.follow(j, both, MOST) };
+        }
+        // a force of high order may be rounding at these and none farther off
+        let far = |around: &mut Self, s: f64| {
+            around.gradient(j, s).is_some_and(|[g, noise]| (g - stiffness * s).abs() > BENT * (stiffness * s).abs() + CLEAR * noise)
+        };
+        if [MOST, -MOST, FAR, -FAR].iter().any(|s| far(self, *s)) {
+            return if self.is_resolved(j) { Way::Plain } else { self.follow(j, both, FAR) };
         }
         // a place that is itself no more than what rounding leaves of a zero has no size of its own: at its own distance nothing is clear
         let unseen = |g: Option<[f64; 2]>| g.is_some_and(|[g, noise]| g.abs().max((stiffness * MOST).abs()) <= noise);
         let unit = self.directions[j].unit;
-        if unit > 1.0 && [MOST, -MOST].iter().all(|s| unseen(self.gradient(j, *s))) { self.follow(j, MOST * unit) } else { Way::Plain }
+        if unit > 1.0 && [MOST, -MOST].iter().all(|s| unseen(self.gradient(j, *s))) {
+            self.follow(j, both, MOST * unit)
+        } else {
+            Way::Plain
+        }
     }
 
     /// Whether a stiffness, weak as it is beside what it is the sum of, is one: the same on both sides of the place as far off as rounding of the force leaves that unknown. Beside a double
@@ -377,14 +459,17 @@ impl Around<'_> {
         Some((0..k * k).map(|p| against[p / k] * along.stiffness[p] * shape[p % k]).sum())
     }
 
-    /// The force on both sides, from near the place on to a displacement.
-    fn follow(&mut self, j: usize, farthest: f64) -> Way {
+    /// The force on these sides, from near the place on to a displacement.
+    fn follow(&mut self, j: usize, signs: &[f64], farthest: f64) -> Way {
         let stiffness = self.directions[j].stiffness;
         let (mut before, mut open, mut s) = (None, false, LEAST);
+        let mut last: [Vec<[f64; 2]>; 2] = Default::default();
         while s <= farthest {
-            let sides = [s, -s].map(|s| self.gradient(j, s).map(|[g, noise]| (if g.abs() > CLEAR * noise { g } else { 0.0 }, s)));
-            let [Some(there), Some(here)] = sides else { return if open { Way::Open } else { Way::Plain } };
-            let sides = [there, here];
+            let Some(here) = signs.iter().map(|sign| self.gradient(j, sign * s)).collect::<Option<Vec<_>>>() else {
+                return if open { Way::Open } else { Way::Plain };
+            };
+            let clear = |([g, noise], sign): (&[f64; 2], &f64)| (if g.abs() > CLEAR * noise { *g } else { 0.0 }, sign * s);
+            let sides: Vec<(f64, f64)> = here.iter().zip(signs).map(clear).collect();
             let falls = sides.iter().any(|(g, s)| g * s < 0.0);
             let clear = sides.iter().all(|(g, _)| *g != 0.0);
             open |= sides.iter().any(|(g, _)| *g != 0.0);
@@ -395,10 +480,22 @@ impl Around<'_> {
                 () => None,
             };
             if let Some(way) = found.filter(|_| found == before) {
-                return way;
+                return if begins_off(&last, &here) { Way::Plain } else { way };
             }
+            last.rotate_left(1);
+            last[1] = here;
             (before, s) = (found, APART * s);
         }
         if open { Way::Open } else { Way::Plain }
     }
+}
+
+/// Whether a force that is there at two displacements in a row is nothing at all at the one before, where it would have been clear of rounding by the power that both tell: then it begins off the
+/// place, at the edge of a play.
+fn begins_off([first, second]: &[Vec<[f64; 2]>; 2], third: &[[f64; 2]]) -> bool {
+    let begins = |(([a, _], [b, noise]), [c, _]): ((&[f64; 2], &[f64; 2]), &[f64; 2])| {
+        let foretold = b * b / c.abs();
+        *a == 0.0 && *b != 0.0 && foretold > (CLEAR * noise).max(f64::MIN_POSITIVE)
+    };
+    first.iter().zip(second).zip(third).any(begins)
 }

@@ -8,6 +8,8 @@ pub mod changes;
 pub mod contacts;
 pub mod degenerate;
 pub mod fall;
+mod frictions;
 pub mod kinks;
+pub mod onesided;
 pub mod report;
 pub mod stability;

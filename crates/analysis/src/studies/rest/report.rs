@@ -13,9 +13,9 @@ use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
 use words::Text;
 
-use super::degenerate::{Degenerate, degenerate, remark};
-use super::kinks;
+use super::degenerate::{Degenerate, degenerate, remark, rests_beside};
 use super::stability::{free_directions, verdict, with_closed};
+use super::{frictions, kinks, onesided};
 use crate::audits;
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::linear::LinearMachine;
@@ -44,16 +44,21 @@ struct Row {
     growth: f64,
     negative: f64,
     free: usize,
+    /// Whether one of the free directions is seen to lead along places of rest.
+    lies: bool,
     second: Option<f64>,
     degenerate: Option<Degenerate>,
     /// Whether a force has a kink there.
     kink: bool,
+    /// Contacts (by reaction) that only touch there and keep small motions on one side.
+    touching: Vec<usize>,
 }
 
 impl Row {
     /// A place of which nothing is decided.
     fn of(place: Place, second: Option<f64>) -> Row {
-        Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second, degenerate: None, kink: false }
+        let (growth, negative, touching) = (f64::NAN, f64::NAN, Vec::new());
+        Row { place, stable: None, growth, negative, free: 0, lies: false, second, degenerate: None, kink: false, touching }
     }
 }
 
@@ -124,10 +129,10 @@ fn attempt(
             notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
-        _ if rough && !rows.is_empty() => notes.push(Text::new(
-            "these are the places of rest without dry friction; with it the machine also rests around them",
-            "это положения равновесия без сухого трения; с ним машина покоится и в их окрестности",
-        )),
+        _ if rough && !rows.is_empty() => {
+            let places: Vec<&Place> = rows.iter().map(|r| &r.place).collect();
+            notes.push(frictions::remark(equations, parameters, &places));
+        }
         _ => {}
     }
     if rows.is_empty() && fault.is_none() {
@@ -136,10 +141,10 @@ fn attempt(
             None => nowhere(equations, parameters, q),
         });
     }
-    if rows.iter().any(|r| r.free > 0) {
-        notes.push(crate::studies::equilibrium::neutral());
-    }
-    notes.extend(not_linear(&rows));
+    let free = |lies: bool| rows.iter().any(|r| r.free > 0 && r.lies == lies);
+    notes.extend(free(true).then(crate::studies::equilibrium::neutral));
+    notes.extend(free(false).then(crate::studies::equilibrium::undecided));
+    notes.extend(not_linear(equations, &rows));
     if n == 0 {
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
@@ -275,9 +280,15 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
 }
 
 /// What is to be said of places whose small motions are not linear.
-fn not_linear(rows: &[Row]) -> Vec<Text> {
+fn not_linear(equations: &Equations, rows: &[Row]) -> Vec<Text> {
     let degenerate = remark(rows.iter().filter_map(|r| r.degenerate.as_ref()));
-    degenerate.into_iter().chain(rows.iter().any(|r| r.kink).then(kinks::remark)).collect()
+    let mut touching: Vec<usize> = rows.iter().flat_map(|r| r.touching.iter().copied()).collect();
+    touching.sort_unstable();
+    touching.dedup();
+    let labels: Vec<&Text> = touching.iter().map(|r| &equations.reactions[*r].label).collect();
+    let decided = rows.iter().all(|r| r.touching.is_empty() || r.stable.is_some());
+    let touching = (!labels.is_empty()).then(|| onesided::remark(&labels, decided));
+    degenerate.into_iter().chain(rows.iter().any(|r| r.kink).then(kinks::remark)).chain(touching).collect()
 }
 
 fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fault> {
@@ -286,7 +297,10 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     let mut row = Row::of(place, second);
     // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
-    let closed = with_closed(studied.motion, &row.place.closed);
+    let standing = onesided::standing(equations, parameters, &row.place)?;
+    // what only touches holds no small motion
+    let held = if standing.touching.is_empty() { &row.place.closed } else { &standing.pressing };
+    let closed = with_closed(studied.motion, held);
     let Ok(mut linear) = LinearMachine::new(&Arc::new(closed), About::Rest) else { return Ok(row) };
     let at = linear.about(&row.place, equations);
     let Ok(matrices) = linear.at(&at) else { return Ok(row) };
@@ -298,6 +312,12 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     if along.n == 0 {
         // the connections leave no motion: isolated, without roots
         (row.stable, row.negative) = (Some(true), 0.0);
+        return Ok(row);
+    }
+    if !standing.touching.is_empty() {
+        let open = strange || kinks::is_kink(&mut linear, &at);
+        row.stable = if open { None } else { onesided::verdict(&mut linear, &at, &standing.touching) };
+        (row.touching, row.free) = (standing.touching.into_iter().map(|(r, _)| r).collect(), 0);
         return Ok(row);
     }
     let names = linear.coordinates().to_vec();
@@ -312,12 +332,14 @@ fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fau
     if kinks::is_kink(&mut linear, &at) {
         (row.stable, row.growth, row.negative, row.kink) = (None, f64::NAN, f64::NAN, true);
         row.degenerate = None;
-        return Ok(row);
+    } else if let Some(found) = &row.degenerate {
+        (row.stable, row.growth, row.negative) = (found.stable, f64::NAN, f64::NAN);
+        // the place is isolated in these
+        row.free = row.free.saturating_sub(found.directions());
     }
-    if let Some(Degenerate { stable, .. }) = &row.degenerate {
-        (row.stable, row.growth, row.negative) = (*stable, f64::NAN, f64::NAN);
-        // one direction less: the place is isolated in it
-        row.free = row.free.saturating_sub(1);
+    row.lies = row.free > 0 && rests_beside(&mut linear, &at);
+    if row.kink && !row.lies {
+        row.free = 0;
     }
     Ok(row)
 }
