@@ -60,6 +60,43 @@ pub fn crossings(row: &[f64], noise: f64, sign: &mut f64) -> Vec<Bracket> {
     found
 }
 
+/// A part of [0, 1] between whose ends a polynomial changes its sign once or not at all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// Left end.
+    pub from: f64,
+    /// Right end.
+    pub to: f64,
+    /// Signs at both ends, clear of noise; none where the polynomial is not clear of it.
+    pub signs: Option<[f64; 2]>,
+}
+
+/// Halvings after which a part that noise blurs is told as it is: a thousandth of the whole.
+const BLURRED: u32 = 10;
+
+/// The parts of [0, 1] in order; those that noise blurs are as long as they come.
+pub fn stretches(row: &[f64], noise: f64) -> Vec<Stretch> {
+    let mut found: Vec<Stretch> = Vec::new();
+    let mut open = vec![(row.to_vec(), 0.0_f64, 0_u32)];
+    while let Some((row, from, depth)) = open.pop() {
+        let width = elementary::powi(0.5_f64, depth as i32);
+        let (changes, first, last) = signs(&row, noise);
+        let clear = changes <= 1 && [row[0], row[row.len() - 1]].iter().all(|b| b.abs() > noise);
+        if !clear && first != 0.0 && depth < BLURRED && row.len() > 2 {
+            let (left, right) = halves(row);
+            open.push((right, from + 0.5 * width, depth + 1));
+            open.push((left, from, depth + 1));
+            continue;
+        }
+        let signs = clear.then_some([first, last]);
+        match found.last_mut().filter(|before| before.signs.is_none() && signs.is_none()) {
+            Some(before) => before.to = from + width,
+            None => found.push(Stretch { from, to: from + width, signs }),
+        }
+    }
+    found
+}
+
 /// Bernstein coefficients of Σ c_k τ^k over 0 <= τ <= h.
 pub fn from_powers(c: &[f64], h: f64) -> Vec<f64> {
     let n = c.len().saturating_sub(1);
@@ -177,6 +214,15 @@ mod tests {
                 assert!(bracket.from <= root + 1e-15 && *root <= bracket.to + 1e-15, "{bracket:?} {root}");
             }
         }
+    }
+
+    /// Two roots that noise blurs are one blurred part between parts that are clear.
+    #[test]
+    fn what_noise_blurs_is_told() {
+        let found = stretches(&of_roots(&[0.3, 0.3000001, 0.9]), 1e-9);
+        let told: Vec<_> = found.iter().map(|s| s.signs).collect();
+        assert_eq!(told, [Some([-1.0; 2]), None, Some([-1.0, 1.0])], "{found:?}");
+        assert!(found[1].from <= 0.3 && found[1].to >= 0.3000001 && found[1].to - found[1].from < 0.01);
     }
 
     #[test]

@@ -12,6 +12,7 @@ pub mod crossings;
 pub mod extremes;
 pub mod named;
 pub mod pushes;
+mod search;
 pub mod windows;
 
 use std::borrow::Cow;
@@ -21,11 +22,14 @@ use program::Behind;
 
 use crate::integrate::Step;
 use crate::proxies::proxy::Source;
-use crate::{Fault, System, dataset::Extreme};
+use crate::{Fault, GuardKind, System, dataset::Extreme};
 use bridge::Bridge;
 
 /// Samples of a step that are kept: those of its whole length.
 const KNOWN: usize = 17;
+
+/// Share of its size by which rounding has moved a state after some thousand steps.
+const DRIFTED: f64 = 512.0 * f64::EPSILON;
 
 /// Share of a step on either side of a place without values that is bridged: far enough for digits where M is singular like the square of the distance, and so near that
 /// a cubic leaves twelve of them.
@@ -141,11 +145,15 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
 
     /// Rounding of the outputs at a place of the step.
     fn rounding_at(&mut self, place: f64) -> Vec<f64> {
+        // a polynomial is rounded like its terms
+        self.off_by(place, |c, length| f64::EPSILON * size(c, length))
+    }
+
+    /// How far the outputs are off at a place where a state is off by so much of its polynomial over the length.
+    fn off_by(&mut self, place: f64, error: impl Fn(&[f64], f64) -> f64) -> Vec<f64> {
         self.step.state_after(place, &mut self.x);
         let (t, mut row) = (self.step.instant(place).high, Vec::new());
-        // a polynomial is rounded like its terms
-        let size = |i: usize| self.polynomial(i).iter().rev().fold(0.0, |sum, c| sum * self.length + c.abs());
-        let errors: Vec<f64> = (0..self.x.len()).map(|i| f64::EPSILON * size(i)).collect();
+        let errors: Vec<f64> = (0..self.x.len()).map(|i| error(&self.polynomial(i), self.length)).collect();
         self.system.rounding((t, &self.x), &self.step.modes, &errors, &mut row);
         row
     }
@@ -191,6 +199,10 @@ pub(crate) trait Line: Source {
     fn instant(&self, tau: f64) -> f64;
     /// An output at `tau`; not a number where it has no value.
     fn output(&mut self, tau: f64, output: usize) -> f64;
+    /// What an output may be off by where the states are those of a long motion; empty when unknown.
+    fn doubt(&mut self, tau: f64) -> Vec<f64>;
+    /// Whether contacts may close in the motion.
+    fn has_contacts(&self) -> bool;
 }
 
 impl<S: System + ?Sized> Line for Along<'_, S> {
@@ -202,6 +214,13 @@ impl<S: System + ?Sized> Line for Along<'_, S> {
     }
     fn output(&mut self, tau: f64, output: usize) -> f64 {
         self.outputs(tau)[output]
+    }
+    fn doubt(&mut self, tau: f64) -> Vec<f64> {
+        let (place, instant) = (self.place(tau), 8.0 * f64::EPSILON * self.time(tau).abs());
+        self.off_by(place, |c, length| DRIFTED * size(c, length) + instant * size(c.get(1..).unwrap_or_default(), length) * c.len() as f64)
+    }
+    fn has_contacts(&self) -> bool {
+        self.system.guards().iter().any(|guard| matches!(guard.kind, GuardKind::Contact { .. }))
     }
 }
 
@@ -241,6 +260,11 @@ fn moved(c: &[f64], from: f64) -> Vec<f64> {
         }
     }
     c
+}
+
+/// Σ |c_k| h^k.
+fn size(c: &[f64], h: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, c| sum * h + c.abs())
 }
 
 /// Root of f in [a, b], where it changes its sign: the secant, of an end that stays with halved weight (Illinois), and the middle where three values have not

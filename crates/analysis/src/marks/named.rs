@@ -2,11 +2,10 @@
 //!
 //! An event is a change of sign, zeros left out: a touch from one side is none, a jump across zero (the rate of a contact at an impact) is one at the
 //! instant of the jump, and a formula that rests at zero for a while changes when it leaves to the other side. A formula that is zero at the start gives
-//! an event there when it leaves in the direction asked for; it does not stop the motion. What is smaller than the rounding of the largest value so far
-//! counts as zero.
+//! an event there when it leaves in the direction asked for; it does not stop the motion. How the signs are found stands in `search.rs`.
 
-use super::crossings::{self, Bracket};
-use super::{Line, bracketed};
+use super::Line;
+use super::search::Search;
 use crate::proxies::proxy::{Piece, Proxies};
 use algebra::arrange::Arrange;
 use words::Text;
@@ -48,12 +47,6 @@ pub struct Happened {
     pub sign: f64,
 }
 
-/// Values below this share of the largest so far are zero.
-const ZERO: f64 = 16.0 * f64::EPSILON;
-/// Share of its largest value below which a coefficient does not say whereto a quantity leaves its zero at the start: the polynomial of a quantity that leaves
-/// with a horizontal tangent has a slope of rounding.
-const LEAVES: f64 = 1e-9;
-
 /// Follows the events along a motion.
 #[derive(Clone, Debug)]
 pub struct Watcher {
@@ -62,12 +55,14 @@ pub struct Watcher {
     states: Vec<(f64, f64)>,
     started: bool,
     proxies: Proxies,
+    /// Events whose formulas could not be followed beside a zero.
+    blurred: Vec<bool>,
 }
 
 impl Watcher {
     /// For these events.
     pub fn new(events: &[Named]) -> Watcher {
-        Watcher { events: events.to_vec(), states: vec![(0.0, 0.0); events.len()], started: false, proxies: Proxies::default() }
+        Watcher { events: events.to_vec(), states: vec![(0.0, 0.0); events.len()], started: false, proxies: Proxies::default(), blurred: vec![false; events.len()] }
     }
 
     /// The events watched.
@@ -85,12 +80,16 @@ impl Watcher {
         let pieces = self.proxies.pieces(along, &outputs, h);
         let mut found = Vec::new();
         for i in 0..self.events.len() {
-            let output = self.events[i].output;
-            for piece in pieces.iter().filter(|p| p.of == output) {
-                self.piece((i, output), piece, along, &mut found);
-            }
-            let last = pieces.iter().rfind(|p| p.of == output && p.to == h);
-            last.into_iter().for_each(|piece| self.end((i, output), &piece.row, along, &mut found));
+            let own: Vec<&Piece> = pieces.iter().filter(|p| p.of == outputs[i]).collect();
+            let (sign, largest) = self.states[i];
+            let mut search = Search::new(along, outputs[i], (sign, largest));
+            search.whole(&own);
+            let Search { sign, largest, lost, turns, .. } = search;
+            let begins = Some(sign).filter(|_| !self.started && turns.begins);
+            self.states[i] = (sign, largest);
+            self.blurred[i] |= lost;
+            let all = begins.map(|_| (0.0, turns.first)).into_iter().chain(turns.list);
+            found.extend(all.filter(|(_, sign)| self.counts(i, *sign)).map(|(tau, sign)| Happened { event: i, tau, sign }));
         }
         self.started = true;
         found.arrange_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
@@ -99,55 +98,6 @@ impl Watcher {
             found.truncate(k + 1);
         }
         found
-    }
-
-    fn piece<L: Line>(&mut self, (i, output): (usize, usize), piece: &Piece, along: &mut L, found: &mut Vec<Happened>) {
-        let (mut sign, largest) = self.states[i];
-        let largest = piece.row.iter().fold(largest, |m: f64, b| m.max(b.abs()));
-        // what has been zero so far has no size of its own: that of its terms
-        let terms =
-            if sign == 0.0 { along.rounding(piece.to).get(output).copied().filter(|off| off.is_finite()).unwrap_or(0.0) } else { 0.0 };
-        let noise = (ZERO * largest).max(terms);
-        if sign == 0.0 && !self.started && piece.from == 0.0 && along.output(0.0, output).abs() <= noise {
-            // it leaves zero at the start, as if it came from the other side
-            sign = leaving(&piece.row, LEAVES * largest);
-            if sign != 0.0 && self.counts(i, sign) {
-                found.push(Happened { event: i, tau: 0.0, sign });
-            }
-        }
-        let brackets = crossings::crossings(&piece.row, noise, &mut sign);
-        let rough: Vec<f64> =
-            brackets.iter().map(|bracket| piece.from + (piece.to - piece.from) * of_polynomial(bracket, &piece.row)).collect();
-        for (k, bracket) in brackets.iter().enumerate() {
-            let before = found.iter().rev().find(|e| e.event == i).map_or(0.0, |e| e.tau);
-            let low = if k > 0 { 0.5 * (rough[k - 1] + rough[k]) } else { before };
-            let high = rough.get(k + 1).map_or(along.length(), |next| 0.5 * (rough[k] + next));
-            let tau = polished([low, rough[k], high], (piece.to - piece.from, bracket.sign), &mut |tau| along.output(tau, output));
-            if self.counts(i, bracket.sign) {
-                found.push(Happened { event: i, tau, sign: bracket.sign });
-            }
-        }
-        self.states[i] = (sign, largest);
-    }
-
-    /// What has clearly happened at the end of a step although rounding of the largest value hides it there: a root of higher order just before it.
-    fn end<L: Line>(&mut self, (i, output): (usize, usize), row: &[f64], along: &mut L, found: &mut Vec<Happened>) {
-        let (sign, largest) = self.states[i];
-        let hidden = row.last().is_some_and(|b| b.abs() <= ZERO * largest);
-        if sign == 0.0 || !hidden {
-            return;
-        }
-        let end = along.length();
-        let (value, rounding) = (along.output(end, output), along.rounding(end));
-        if value * sign >= 0.0 || value.is_nan() || rounding.get(output).is_none_or(|off| value.abs() <= *off) {
-            return;
-        }
-        let before = found.iter().rev().find(|e| e.event == i).map_or(0.0, |e| e.tau);
-        let tau = polished([before, end, end], (end, -sign), &mut |tau| along.output(tau, output));
-        if self.counts(i, -sign) {
-            found.push(Happened { event: i, tau, sign: -sign });
-        }
-        self.states[i] = (-sign, largest);
     }
 
     fn counts(&self, i: usize, sign: f64) -> bool {
@@ -160,7 +110,7 @@ impl Watcher {
 
     /// Events whose formulas could not be followed everywhere.
     pub fn lost(&self) -> Vec<usize> {
-        (0..self.events.len()).filter(|i| self.proxies.lost().contains(&self.events[*i].output)).collect()
+        (0..self.events.len()).filter(|i| self.blurred[*i] || self.proxies.lost().contains(&self.events[*i].output)).collect()
     }
 
     /// Rows of outputs sampled.
@@ -192,58 +142,4 @@ impl Watcher {
     pub fn stops(&self, happened: &Happened) -> bool {
         self.events[happened.event].stop
     }
-}
-
-/// The sign with which a polynomial leaves its zero at the start.
-fn leaving(row: &[f64], noise: f64) -> f64 {
-    row.iter().find(|b| b.abs() > noise).map_or(0.0, |b| b.signum())
-}
-
-/// The place inside a bracket at which the polynomial passes zero.
-fn of_polynomial(bracket: &Bracket, row: &[f64]) -> f64 {
-    let Bracket { from, to, .. } = *bracket;
-    if from >= to {
-        return from;
-    }
-    let mut value = |u: f64| crossings::value(row, u);
-    let ends = [value(from), value(to)];
-    if row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) }
-}
-
-/// The instant at which the quantity itself takes the sign, between the first and the last of three instants; the second is that of the polynomial over this width.
-///
-/// Rounding hides the polynomial around a root of higher order: from where it is met the quantity is followed to both sides until it has the signs of both. What is
-/// zero, or has the later sign, from the first instant on takes it where it leaves zero.
-fn polished([low, rough, high]: [f64; 3], (width, sign): (f64, f64), exact: &mut dyn FnMut(f64) -> f64) -> f64 {
-    // shares of the piece: the polynomial is true to nine digits at least where the step was taken
-    let near = 1e-9 * width;
-    let mut side = |to: f64, turned: bool| {
-        let mut off = near;
-        loop {
-            let tau = if to < rough { (rough - off).max(to) } else { (rough + off).min(to) };
-            let value = exact(tau);
-            let there = (value * sign > 0.0) == turned && (turned || value != 0.0);
-            if there || tau == to || value.is_nan() {
-                return (tau, value, there);
-            }
-            off *= 2.0;
-        }
-    };
-    let (mut a, fa, is_before) = side(low, false);
-    let (mut b, fb, is_after) = side(high, true);
-    if !is_after || fa.is_nan() || fb.is_nan() {
-        return rough;
-    }
-    if is_before && b - a <= 4.0 * near {
-        return bracketed(exact, (a, fa), (b, fb));
-    }
-    // a flat root is closed in by its sign alone
-    if fa * sign > 0.0 {
-        return a;
-    }
-    while 0.5 * (a + b) > a && 0.5 * (a + b) < b {
-        let middle = 0.5 * (a + b);
-        if exact(middle) * sign > 0.0 { b = middle } else { a = middle }
-    }
-    b
 }

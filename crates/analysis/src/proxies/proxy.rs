@@ -17,9 +17,9 @@ use super::behind::Look;
 use super::points::{Points, spread};
 
 /// Error relative to the variation.
-const ERROR: f64 = 1e-11;
+pub(crate) const ERROR: f64 = 1e-11;
 /// Rounding of a value, in units of the last place of the largest.
-const ROUNDING: f64 = 32.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Share of the step below which a piece is an instant.
 const DEEPEST: f64 = 1e-14;
 /// Pieces of a quantity that may fail before it is given up; each step gives `EARNED` back.

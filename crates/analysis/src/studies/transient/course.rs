@@ -47,6 +47,12 @@ impl<S: System + ?Sized> Line for Closed<'_, S> {
     fn output(&mut self, tau: f64, output: usize) -> f64 {
         self.chosen.iter().position(|c| *c == output).map_or(f64::NAN, |k| self.sample(tau)[k])
     }
+    fn doubt(&mut self, _: f64) -> Vec<f64> {
+        Vec::new()
+    }
+    fn has_contacts(&self) -> bool {
+        false
+    }
 }
 
 impl<S: System + ?Sized> Source for Closed<'_, S> {

@@ -1,0 +1,237 @@
+//! The signs of a quantity along a step, and the instants at which they change.
+//!
+//! The polynomials through its samples are off by a share of their range: around a root of higher order, beside values many decades larger, or where it has
+//! died out, they say nothing. Such a part is sampled anew by itself, with a range of its own, until its signs are clear, or until it is an instant, or what the
+//! quantity is there may as well be rounding of what meets in it: then it rests at zero. A change between clear places is followed on the quantity itself.
+
+use super::crossings::{self, Stretch};
+use super::{Line, bracketed};
+use crate::proxies::proxy::{ERROR, Piece, Proxies, ROUNDING, Source};
+use program::Behind;
+use std::sync::Arc;
+
+/// Values below this share of the largest so far are zero, where their rounding is not known or does not die out: a ball lies where its first impacts left it.
+const ZERO: f64 = 16.0 * f64::EPSILON;
+/// Parts of a step that are looked at anew: a root of the hundredth order takes some thirty.
+const PATIENCE: u32 = 256;
+/// Pieces of such a part that may fail: where rounding has no polynomial they all do.
+const FAILING: i64 = 24;
+/// Share of a step up to which a part in which the quantity rests at zero is rounding of one instant.
+const INSTANT: f64 = 1e-9;
+/// The same of a part of which its ends say enough.
+const SHORT: f64 = 1e-6;
+/// The same at the start, which a quantity may leave flat: t⁶ is rounding for so long.
+const BEGINS: f64 = 1e-2;
+/// Where a part is cut: a root in its middle is at no end of both.
+const CUT: f64 = 0.41;
+
+/// Changes of sign in a step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Turns {
+    /// Instants after its start, and the signs behind them.
+    pub(super) list: Vec<(f64, f64)>,
+    /// The first sign that is clear, 0 when none is.
+    pub(super) first: f64,
+    /// Whether the quantity leaves zero at the very start.
+    pub(super) begins: bool,
+}
+
+/// One quantity along a step.
+pub(super) struct Search<'a, L: Line> {
+    line: &'a mut L,
+    output: usize,
+    /// The last sign that was clear, 0 when none was.
+    pub(super) sign: f64,
+    /// Largest value so far.
+    pub(super) largest: f64,
+    /// Where it was clear last, or rested for longer than an instant.
+    known: f64,
+    /// Where it began to rest since then, and did so last.
+    rested: [f64; 2],
+    left: u32,
+    /// Whether a part could not be followed.
+    pub(super) lost: bool,
+    pub(super) turns: Turns,
+}
+
+impl<'a, L: Line> Search<'a, L> {
+    /// Begins with the sign and the largest value before the step.
+    pub(super) fn new(line: &'a mut L, output: usize, (sign, largest): (f64, f64)) -> Search<'a, L> {
+        Search { line, output, sign, largest, known: 0.0, rested: [0.0; 2], left: PATIENCE, lost: false, turns: Turns::default() }
+    }
+
+    /// Looks at the step by the polynomials of its samples.
+    pub(super) fn whole(&mut self, pieces: &[&Piece]) {
+        let begins = self.sign == 0.0 && self.rests(0.0);
+        let largest = |piece: &&Piece| piece.row.iter().fold(0.0, |m: f64, b| m.max(b.abs()));
+        self.largest = pieces.iter().map(largest).fold(self.largest, f64::max);
+        for piece in pieces {
+            self.piece(piece, self.largest);
+        }
+        self.turns.begins &= begins;
+    }
+
+    fn piece(&mut self, piece: &Piece, largest: f64) {
+        let [low, high] = piece.row.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], b| [low.min(*b), high.max(*b)]);
+        let error = if piece.row.len() > 2 { (ERROR * (high - low)).max(ROUNDING * largest) } else { 0.0 };
+        let place = |u: f64| piece.from + (piece.to - piece.from) * u;
+        for stretch in crossings::stretches(&piece.row, error) {
+            let ends = [place(stretch.from), place(stretch.to)];
+            match stretch.signs {
+                Some(signs) => self.clear(ends, signs, (piece, stretch)),
+                None => self.closer(ends),
+            }
+        }
+    }
+
+    /// A part whose ends have these signs. One that tells of a change counts where the quantity is more than its rounding.
+    fn clear(&mut self, [from, to]: [f64; 2], signs: [f64; 2], (piece, stretch): (&Piece, Stretch)) {
+        let changes = signs[0] != self.sign || signs[0] != signs[1];
+        match [changes && self.rests(from), changes && self.rests(to)] {
+            [false, false] => {
+                self.turn([self.known, from], signs[0]);
+                if signs[0] != signs[1] {
+                    let tau = self.passed([from, to], signs[1], (piece, stretch));
+                    self.turns.list.push((tau, signs[1]));
+                }
+                self.stand(to, signs[1]);
+            }
+            [false, true] => {
+                self.turn([self.known, from], signs[0]);
+                self.stand(from, signs[0]);
+                self.rest(to);
+            }
+            [true, false] => {
+                self.turn([self.known, to], signs[1]);
+                self.stand(to, signs[1]);
+            }
+            [true, true] => self.rest(to),
+        }
+    }
+
+    /// Tells of a change to this sign in a part at whose end the quantity has it, if it had the other before.
+    fn turn(&mut self, part: [f64; 2], sign: f64) {
+        if self.sign == 0.0 {
+            self.turns.first = sign;
+            self.turns.begins = self.rested[1] <= BEGINS * self.line.length();
+        } else if sign != self.sign {
+            let tau = self.taken(part, sign);
+            self.turns.list.push((tau, sign));
+        }
+    }
+
+    /// The quantity has this sign, more than rounding of it.
+    fn stand(&mut self, at: f64, sign: f64) {
+        (self.sign, self.known, self.rested) = (sign, at, [at; 2]);
+    }
+
+    fn rest(&mut self, to: f64) {
+        self.rested[1] = to;
+        if to - self.rested[0] > INSTANT * self.line.length() {
+            self.known = to;
+        }
+    }
+
+    /// A part in which the polynomial says nothing.
+    fn closer(&mut self, [from, to]: [f64; 2]) {
+        let middle = from + CUT * (to - from);
+        let short = to - from <= 4.0 * self.line.resolution() || middle <= from || middle >= to;
+        if short || self.left == 0 || [from, middle, to].into_iter().all(|tau| self.rests(tau)) {
+            return self.by_its_end([from, to]);
+        }
+        for [a, b] in [[from, middle], [middle, to]] {
+            self.left = self.left.saturating_sub(1);
+            let mut proxies = Proxies::sparing(FAILING, self.output + 1);
+            let mut pieces = proxies.pieces(&mut Window { line: self.line, from: a }, &[self.output], b - a);
+            if proxies.lost().contains(&self.output) {
+                self.by_its_end([a, b]);
+                continue;
+            }
+            let largest = pieces.iter().flat_map(|piece| &piece.row).fold(0.0, |m: f64, b| m.max(b.abs()));
+            for piece in &mut pieces {
+                (piece.from, piece.to) = (a + piece.from, a + piece.to);
+                self.piece(piece, largest);
+            }
+        }
+    }
+
+    /// A part that no polynomial says anything of: an instant, or what is rounding within a billionth of its values.
+    fn by_its_end(&mut self, [from, to]: [f64; 2]) {
+        if self.rests(to) {
+            self.lost |= !self.rests(from) && to - from > SHORT * self.line.length();
+            return self.rest(to);
+        }
+        let sign = self.line.output(to, self.output).signum();
+        self.lost |= to - from > SHORT * self.line.length();
+        self.turn([self.known, to], sign);
+        self.stand(to, sign);
+    }
+
+    /// Whether the quantity may be zero at an instant but for rounding.
+    fn rests(&mut self, tau: f64) -> bool {
+        let value = self.line.output(tau, self.output).abs();
+        let known = self.line.doubt(tau).get(self.output).copied().filter(|off| off.is_finite());
+        let once = if known.is_none() || self.line.has_contacts() { ZERO * self.largest } else { 0.0 };
+        value.is_nan() || value <= known.unwrap_or(0.0).max(once)
+    }
+
+    /// The first instant of a part at which the quantity has the sign, which it has at its end.
+    fn taken(&mut self, [mut a, mut b]: [f64; 2], sign: f64) -> f64 {
+        if self.line.output(a, self.output) * sign > 0.0 {
+            return a;
+        }
+        loop {
+            let middle = 0.5 * (a + b);
+            if middle <= a || middle >= b {
+                return b;
+            }
+            if self.line.output(middle, self.output) * sign > 0.0 { b = middle } else { a = middle }
+        }
+    }
+
+    /// The instant in a part at which the quantity takes its last sign: that of the polynomial first, then its own.
+    fn passed(&mut self, [from, to]: [f64; 2], sign: f64, (piece, stretch): (&Piece, Stretch)) -> f64 {
+        if piece.row.len() == 2 {
+            return self.taken([from, to], sign);
+        }
+        let width = piece.to - piece.from;
+        let mut polynomial = |u: f64| crossings::value(&piece.row, u);
+        let ends = [polynomial(stretch.from), polynomial(stretch.to)];
+        let rough = piece.from + width * bracketed(&mut polynomial, (stretch.from, ends[0]), (stretch.to, ends[1]));
+        let mut exact = |tau: f64| self.line.output(tau, self.output);
+        // shares of the piece: the polynomial is true to nine digits at least where the step was taken
+        for near in [1e-9 * width, width] {
+            let (a, b) = ((rough - near).max(from), (rough + near).min(to));
+            let (fa, fb) = (exact(a), exact(b));
+            if fa * sign < 0.0 && fb * sign > 0.0 {
+                let root = bracketed(&mut exact, (a, fa), (b, fb));
+                let [before, after] = [root - 4.0 * f64::EPSILON * root.abs(), root + 4.0 * f64::EPSILON * root.abs()];
+                // a flat root is closed in by its sign alone
+                let sharp = exact(before) * sign <= 0.0 && exact(after) * sign >= 0.0;
+                return if sharp { root } else { self.taken([a, b], sign) };
+            }
+        }
+        rough
+    }
+}
+
+/// A part of a line.
+struct Window<'a, L: Line> {
+    line: &'a mut L,
+    from: f64,
+}
+
+impl<L: Line> Source for Window<'_, L> {
+    fn sample(&mut self, tau: f64) -> Vec<f64> {
+        self.line.sample(self.from + tau)
+    }
+    fn rounding(&mut self, tau: f64) -> Vec<f64> {
+        self.line.rounding(self.from + tau)
+    }
+    fn behind(&mut self) -> (usize, Arc<Behind>) {
+        self.line.behind()
+    }
+    fn resolution(&self) -> f64 {
+        self.line.resolution()
+    }
+}
