@@ -81,11 +81,10 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
-    let mut along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    let mut along = Vec::new();
     if let Some(range) = options.over {
-        let angle = |i: usize| i != range.coordinate && coordinates[i].unit == "rad";
-        let angles: Vec<usize> = (0..n).filter(|&i| angle(i)).take(TURNED).collect();
-        turned(&mut along, &angles);
+        along = search.along(range, start);
+        turned(&mut along, coordinates, range.coordinate);
     }
     let sizes = search.sizes.clone();
     let (mut flat, mut poles): (Vec<[Vec<f64>; 2]>, Vec<Rest>) = Default::default();
@@ -115,10 +114,6 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
             faults.push(nothing_between(&coordinates[coordinate].name, (from, to), searched));
         }
     }
-    if found.is_empty() && faults.is_empty() {
-        // poles alone
-        faults.push(no_equilibrium());
-    }
     let mut dataset = dataset(coordinates, &found, steps);
     let within = |r: Range| poles.iter().map(|p| p.q[r.coordinate]).filter(|v| (r.from..=r.to).contains(v)).collect::<Vec<_>>();
     dataset.notes.extend(options.over.and_then(|r| at_poles(&coordinates[r.coordinate].name, &within(r))));
@@ -135,7 +130,8 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
     let neutral = faults.iter().position(|f| f.code == "S008");
     let fault = match neutral {
         Some(i) => Some(faults.swap_remove(i)),
-        None if found.is_empty() => faults.into_iter().next(),
+        // poles alone are no place
+        None if found.is_empty() => faults.into_iter().next().or_else(|| Some(no_equilibrium())),
         None => None,
     };
     Outcome { dataset, fault }
@@ -175,14 +171,14 @@ fn one<S: Statics + ?Sized>(
     joined
 }
 
-/// Adds every guess with some of the other angles turned by half a turn, where machines under gravity rest too.
-fn turned(guesses: &mut Vec<Vec<f64>>, angles: &[usize]) {
-    for i in angles {
+/// Adds every guess with some of the angles, other than this one, turned by half a turn, where machines under gravity rest too.
+fn turned(guesses: &mut Vec<Vec<f64>>, coordinates: &[Quantity], but: usize) {
+    for i in (0..coordinates.len()).filter(|&i| i != but && coordinates[i].unit == "rad").take(TURNED) {
         let more: Vec<Vec<f64>> = guesses
             .iter()
             .map(|q| {
                 let mut q = q.clone();
-                q[*i] += std::f64::consts::PI;
+                q[i] += std::f64::consts::PI;
                 q
             })
             .collect();

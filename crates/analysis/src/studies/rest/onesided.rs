@@ -235,10 +235,10 @@ fn higher(machine: &mut LinearMachine, place: &Place, slopes: &[&[f64]]) -> Ener
     }
 }
 
-/// What is to be said of such places: the contacts by their labels, and whether all verdicts are there.
-pub fn remark(labels: &[&Text], decided: bool) -> Text {
+/// What is to be said of such places: the contacts by their labels, and the verdicts.
+pub fn remark(labels: &[&Text], verdicts: &[Option<bool>]) -> Text {
     let list = |pick: fn(&Text) -> &str| labels.iter().map(|label| pick(label)).collect::<Vec<_>>().join(", ");
-    let (en, ru) = match decided {
+    let (en, ru) = match !verdicts.contains(&None) {
         true => (
             "whether the place is stable is told by the energy along those that are allowed",
             "об устойчивости судят по энергии на допустимых движениях",

@@ -286,8 +286,8 @@ fn not_linear(equations: &Equations, rows: &[Row]) -> Vec<Text> {
     touching.sort_unstable();
     touching.dedup();
     let labels: Vec<&Text> = touching.iter().map(|r| &equations.reactions[*r].label).collect();
-    let decided = rows.iter().all(|r| r.touching.is_empty() || r.stable.is_some());
-    let touching = (!labels.is_empty()).then(|| onesided::remark(&labels, decided));
+    let verdicts: Vec<Option<bool>> = rows.iter().filter(|r| !r.touching.is_empty()).map(|r| r.stable).collect();
+    let touching = (!labels.is_empty()).then(|| onesided::remark(&labels, &verdicts));
     degenerate.into_iter().chain(rows.iter().any(|r| r.kink).then(kinks::remark)).chain(touching).collect()
 }
 
