@@ -76,12 +76,17 @@ impl Scalar {
 
     /// From the coefficients of x' = A(t) x at equally spaced instants of a period, x = (q, q'); none where they are not of that form, or jump.
     pub fn of_coefficients(period: f64, rows: &[Vec<f64>]) -> Option<Scalar> {
+        Scalar::without(ROUNDING, period, rows)
+    }
+
+    /// The same with the share of the largest harmonic up to which others are rounding.
+    pub(super) fn without(rounding: f64, period: f64, rows: &[Vec<f64>]) -> Option<Scalar> {
         let form = |a: &Vec<f64>| a.len() == 4 && a[0] == 0.0 && a[1] == 1.0;
         if rows.is_empty() || !rows.iter().all(form) {
             return None;
         }
         let halves: Vec<f64> = rows.iter().map(|a| -0.5 * a[3]).collect();
-        let h = Hill::of_samples(period, &halves)?.faded(ROUNDING)?;
+        let h = Hill::of_samples(period, &halves)?.faded(rounding)?;
         let time = |i: usize| period * i as f64 / rows.len() as f64;
         let value = |(i, a): (usize, &Vec<f64>)| {
             let now = h.value(time(i));
@@ -89,7 +94,7 @@ impl Scalar {
         };
         let samples: Vec<f64> = rows.iter().enumerate().map(value).collect();
         let size = halves.iter().map(|h| h.abs()).sum::<f64>() / halves.len() as f64;
-        Some(Scalar::new(Hill::of_samples(period, &samples)?.faded(ROUNDING)?, mean_of(h.mean, size, period)))
+        Some(Scalar::new(Hill::of_samples(period, &samples)?.faded(rounding)?, mean_of(h.mean, size, period)))
     }
 
     fn new(psi: Hill, decay: f64) -> Scalar {

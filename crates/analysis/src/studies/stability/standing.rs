@@ -11,6 +11,8 @@ use crate::{Fault, System};
 const INSTANTS: usize = 256;
 /// Share of the largest entry by which coefficients a period apart may differ: rounding of the time in their phases.
 const REPEATS: f64 = 1e-11;
+/// Share of the largest harmonic up to which others are rounding of formulas: what is left out must not be seen by polynomials over parameters, in which it comes and goes.
+const ROUNDING: f64 = 1e-13;
 /// Parts of the period at which they are compared: shares without a common measure with it or with each other.
 const COMPARED: [f64; 5] = [0.0, 0.138, 0.351, 0.622, 0.907];
 
@@ -36,7 +38,7 @@ pub fn standing<S: System + ?Sized>(system: &mut S, x: &[f64], period: f64) -> R
             return Ok(None);
         }
     }
-    Ok(Scalar::of_coefficients(period, &rows))
+    Ok(Scalar::without(ROUNDING, period, &rows).or_else(|| Scalar::of_coefficients(period, &rows)))
 }
 
 /// A(t) row by row; none where the machine does not rest, or the system knows no derivatives.
