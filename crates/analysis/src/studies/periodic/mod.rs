@@ -38,7 +38,7 @@ pub use listener::{Listener, Stage};
 pub use options::{Aim, Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};
 pub(in crate::studies) use shooting::{Passage, Shooting, Turned, Varied, tangent_of};
-pub(in crate::studies) use spectrum::{name_shift, named};
+pub(in crate::studies) use spectrum::{name_shift, named, of_family};
 pub(in crate::studies) use variation::CORRECTS;
 pub use verdict::NEUTRAL;
 
