@@ -314,6 +314,8 @@ pub struct ContactChange {
     pub to: &'static str,
     /// Impulse of an impact, N s or N m s.
     pub impulse: Option<f64>,
+    /// Whether it stands for infinitely many impacts, of which those before it are the first.
+    pub endless: bool,
 }
 
 /// A counter of work.

@@ -131,10 +131,10 @@ impl Observable {
         match self {
             Observable::Reduced(reduced) => reduced.of(results),
             Observable::Field(field) => field.of(results).ok_or(Absent::Nothing),
-            Observable::Events => Ok(results.data.events.len() as f64),
+            Observable::Events => Ok(count(results, &|_| true)),
             Observable::EventsOf(name) => {
-                let is = |event: &&Event| event.name == *name || event.contact.as_ref().is_some_and(|change| change.contact == *name);
-                Ok(results.data.events.iter().filter(is).count() as f64)
+                let is = |event: &Event| event.name == *name || event.contact.as_ref().is_some_and(|change| change.contact == *name);
+                Ok(count(results, &is))
             }
         }
     }
@@ -157,6 +157,13 @@ impl Reduced {
             None => Err(Absent::Unfinished),
         }
     }
+}
+
+/// How many events are such; without end where a contact closes after infinitely many impacts, of which only those above rounding are listed.
+fn count(results: &Results, is: &dyn Fn(&Event) -> bool) -> f64 {
+    let of = || results.data.events.iter().filter(|event| is(event));
+    let endless = of().any(|event| event.contact.as_ref().is_some_and(|change| change.endless));
+    if endless { f64::INFINITY } else { of().count() as f64 }
 }
 
 /// The name in `events(name)`.

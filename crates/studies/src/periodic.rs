@@ -456,6 +456,7 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     results.own.insert("parts".into(), json!(regime.pieces.max(1)));
     let family = one_of_a_family(regime);
     results.own.insert("one_of_a_family".into(), json!(family.is_some()));
+    results.own.insert("from_start".into(), json!(regime.own));
     results.words.extend(family);
     let multipliers: Vec<Value> = regime.multipliers.iter().map(json_of).collect();
     results.own.insert("multipliers".into(), json!(multipliers));
@@ -515,7 +516,16 @@ fn in_parts(regime: &Regime) -> Option<Text> {
 /// A multiplier 1 besides the shift along the motion: neighbouring motions close as well, and nothing singles this one out.
 fn one_of_a_family(regime: &Regime) -> Option<Text> {
     let is_one = |m: &&Multiplier| !m.trivial && algebra::elementary::hypot(m.re - 1.0, m.im) <= m.error.max(FAMILY);
-    regime.multipliers.iter().find(is_one).map(|_| {
+    let found = regime.multipliers.iter().any(|m| is_one(&m));
+    if regime.own {
+        return found.then(|| {
+            Text::new(
+                "A multiplier 1 besides the shift: the regime is one of a family, as the motions of a machine without damping are. It is the motion from the given start, which returns by itself.",
+                "Кроме сдвига есть ещё мультипликатор 1: режим принадлежит семейству, как движения машины без сопротивления. Это движение из заданного начала: оно возвращается само.",
+            )
+        });
+    }
+    found.then(|| {
         Text::new(
             "A multiplier 1 besides the shift: the regime is one of a family, as the motions of a machine without damping are, or those with a friction that sticks \
              all along at one place or another. The search gives the member that it met; its size and its period may differ from those of the motion from the given start, for which `simulate` with a named event is the answer.",

@@ -8,7 +8,7 @@ use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::repeat::abreast::{self, Pace};
 use crate::repeat::course::Course;
-use crate::repeat::gathered::{Gathered, Row, partly_absent};
+use crate::repeat::gathered::{Gathered, Row, missing, partly_absent};
 use crate::repeat::journal::{self, Head};
 use crate::repeat::many::{self, Shared};
 use crate::repeat::stated::{of_ranges, stated};
@@ -17,7 +17,7 @@ use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use crate::{provenance, repeat};
 use analysis::Dataset;
-use analysis::dataset::{Column, Missing};
+use analysis::dataset::Column;
 use mechanics::asked::{Asked, Key, Kind, Takes, Value as Taken, Way, Words};
 use mechanics::model::{Plot, SweepRange};
 use serde_json::{Value, json};
@@ -287,7 +287,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     }
     without.extend(partly_absent(&rows.columns[rows.own..], &without));
     data.columns = rows.columns;
-    without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
+    missing(&mut data, without);
     Ok(data)
 }
 
@@ -348,6 +348,7 @@ pub fn merged(parts: &[Vec<String>]) -> Result<(Dataset, Vec<String>), Notice> {
     let mut data = Dataset { axis: (own == 1).then_some(0), ..Dataset::default() };
     rows.tell(&mut data, &mut Results::default(), count);
     data.columns = rows.columns;
+    missing(&mut data, Vec::new());
     Ok((data, lines))
 }
 

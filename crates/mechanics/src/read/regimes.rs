@@ -5,7 +5,7 @@
 
 use super::cover::{Cover, constant};
 use super::studies::observed;
-use crate::asked::observed::{REDUCED, observed as parsed};
+use crate::asked::observed::{Observed, REDUCED, observed as parsed};
 use crate::model::RegimeDecl;
 use crate::reader::{Fields, Reader, string};
 use crate::snippet::{Site, Snippet};
@@ -29,16 +29,16 @@ fn regime<'a>(reader: &mut Reader<'a>, (name, text, span): (&str, &str, Range<us
     let mut cover = Cover { before: Vec::new(), own: [false; 2] };
     let (mut formula, mut numbers, mut last) = (String::new(), Vec::new(), 0);
     let mut good = true;
-    for place in numbers_in(text) {
+    for place in numbers_in(text, &|name| reader.scope.get(name).is_some()) {
         let part = snippet.part(place.clone());
-        let Some(_) = observed::note(reader, &part) else {
+        let Some(found) = observed::note(reader, &part) else {
             good = false;
             continue;
         };
         let own = format!("number_{}", numbers.len() + 1);
         let dimension = observed::dimension(reader, &part.text).unwrap_or(Dimension::NONE);
         let symbol = cover.quantity(reader, &own, (&format!("regime {name} {own}"), dimension));
-        numbers.push((part.text.trim().to_owned(), symbol));
+        numbers.push((canonical(&part.text, &found), symbol));
         formula += &text[last..place.start];
         formula += &own;
         last = place.end;
@@ -68,17 +68,33 @@ fn regime<'a>(reader: &mut Reader<'a>, (name, text, span): (&str, &str, Range<us
     Some(RegimeDecl { name: name.to_owned(), text: text.to_owned(), numbers, holds, span })
 }
 
+/// How many events there are, of all or of one name.
+const EVENTS: &str = "events";
+
+/// A number as studies name it: blanks within brackets say nothing.
+fn canonical(text: &str, found: &Observed) -> String {
+    let text = text.trim();
+    match (found.word, found.window) {
+        (Some(word), None) => format!("{word}({})", found.of),
+        (None, _) => text.chars().filter(|c| !c.is_whitespace()).collect(),
+        _ => text.to_owned(),
+    }
+}
+
 /// Where numbers of a motion stand in a condition: `mean(..)`, `amplitude(..)`, `last(..)`, and `max(..)`, `min(..)` of one quantity or with a window; with several quantities
-/// these are functions.
-fn numbers_in(text: &str) -> Vec<Range<usize>> {
+/// these are functions. Also `events(NAME)`, and `events` where that is no name of the model.
+fn numbers_in(text: &str, is_name: &dyn Fn(&str) -> bool) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     let mut at = 0;
     while at < text.len() {
         let rest = &text[at..];
         let before = text[..at].chars().next_back();
         let begins = !before.is_some_and(|c| c.is_alphanumeric() || c == '_');
-        let word = REDUCED.iter().find(|word| begins && rest.strip_prefix(**word).is_some_and(|r| r.trim_start().starts_with('(')));
-        let end = word.and_then(|_| closed(rest)).map(|length| at + length);
+        let called = |word: &str| rest.strip_prefix(word).is_some_and(|r| r.trim_start().starts_with('('));
+        let word = REDUCED.iter().chain([&EVENTS]).find(|word| begins && called(word));
+        let ends = |r: &str| !r.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+        let alone = begins && word.is_none() && rest.strip_prefix(EVENTS).is_some_and(ends) && !is_name(EVENTS);
+        let end = if alone { Some(at + EVENTS.len()) } else { word.and_then(|_| closed(rest)).map(|length| at + length) };
         let is_number = |end: usize| {
             let function = matches!(word, Some(&"max" | &"min"));
             parsed(&text[at..end]).is_ok() || !function

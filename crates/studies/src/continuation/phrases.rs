@@ -16,6 +16,10 @@ pub(super) fn name(what: What) -> Text {
         What::Doubling => Text::new("period doubling", "удвоение периода"),
         What::Torus => Text::new("torus: beats set in", "рождение тора: возникают биения"),
         What::Grazing => Text::new("grazing: a switch is only touched", "касание: переключение едва достигается"),
+        What::Extreme => Text::new(
+            "extreme of energy: neighbours along the curve have one energy, and a multiplier passes 1",
+            "экстремум энергии: у соседних движений ветви она одинакова, мультипликатор проходит через 1",
+        ),
         What::Cusp => Text::new("cusp: two folds meet and vanish", "точка сборки: две складки сливаются и исчезают"),
         What::Turn => Text::new(
             "turn: the second parameter is extreme on the curve, and two points of it at other values meet there",

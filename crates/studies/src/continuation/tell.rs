@@ -44,7 +44,8 @@ pub(super) fn tell(machine: &Machine, study: &Branched, (diagram, spine): (&Diag
         results.words.extend(by_collocation(machine, study, curve));
         results.words.extend(curve.is_neutral().then(|| alike_all_round(k + 1)));
     }
-    if diagram.special.is_empty() {
+    results.words.extend(unnamed(machine, study, diagram));
+    if diagram.special.is_empty() && diagram.unnamed.is_empty() {
         results.words.push(Text::new("Nothing happens on it: no fold, no branch point.", "Особых точек нет: ни поворотов, ни ветвлений."));
     }
     if diagram.left_out > 0 {
@@ -89,6 +90,30 @@ fn alike_all_round(branch: usize) -> Text {
             "Ветвь {branch}: на всём её протяжении положение или движение можно сместить в некотором направлении без всякого изменения, как в машине, одинаковой во все стороны. Прослежено одно движение из каждого семейства; отходящие от него ветви не разыскиваются."
         ),
     )
+}
+
+/// Where stability changes and nothing is named.
+fn unnamed(machine: &Machine, study: &Branched, diagram: &Diagram) -> Option<Text> {
+    let (symbol, unit) = (symbol(machine, &study.name), unit(machine, &study.name));
+    let list = |language: Language| {
+        let one = |(which, place): &(usize, usize)| {
+            let [a, b] = [place - 1, *place].map(|k| {
+                let number = report::number::short(diagram.curves[*which].places[k].parameter(), 8, Language::En);
+                if language == Language::Ru { number.replace('.', ",") } else { number }
+            });
+            format!("{} ({symbol} = {a} ... {b} {})", which + 1, report::unit::print(&unit, language))
+        };
+        diagram.unnamed.iter().map(one).collect::<Vec<_>>().join("; ")
+    };
+    (!diagram.unnamed.is_empty()).then(|| {
+        Text::new(
+            format!(
+                "Stability changes between neighbouring points, and what happens there was not found, on branch {}.",
+                list(Language::En)
+            ),
+            format!("Между соседними точками меняется устойчивость, а что там происходит, не установлено: ветвь {}.", list(Language::Ru)),
+        )
+    })
 }
 
 /// The parameter as a column has it.

@@ -62,7 +62,8 @@ impl Classes {
 
     fn sort(&self, row: &Row) -> Sort {
         let Ok(numbers) = &row.numbers else { return Sort::Failed };
-        if numbers.iter().any(|(value, _)| !value.is_finite()) {
+        // of events there may be infinitely many: more than any level, and in no group
+        if numbers.iter().any(|(value, _)| value.is_nan() || value.is_infinite() && self.judge == Judge::Gaps) {
             return Sort::Failed;
         }
         let which = match self.judge {

@@ -142,6 +142,7 @@ fn of_diagram(diagram: &Plane, ranges: &[SweepRange; 2], (places, cells): (&[Pla
             regime: None,
             stable,
             resonance: None,
+            other: false,
         }
     };
     places.iter().zip(traces).map(row).collect()

@@ -6,12 +6,12 @@ use super::one::{At, one};
 use super::regimes;
 use super::repeated::Repeated;
 use super::stands::{self, Stands};
-use super::verdict::{resonance, verdict};
+use super::verdict::{is_other, resonance, verdict};
 use super::wanted::Noted;
 use crate::machine::Machine;
 use crate::results::{Fact, Results};
 use crate::watch::Watch;
-use analysis::dataset::{Audit, Column, Labels};
+use analysis::dataset::{Audit, Column, Labels, Missing};
 use analysis::{Dataset, Quantity};
 use mechanics::model::SweepRange;
 use std::sync::atomic::AtomicBool;
@@ -34,6 +34,8 @@ pub(crate) struct Gathered {
     /// Runs with checks, and those of which a check failed.
     checked: usize,
     doubtful: Vec<(Vec<(String, f64)>, Audit)>,
+    /// Values at which the regime is another one of a family.
+    others: Vec<Vec<(String, f64)>>,
     /// How places of rest stand, value by value.
     pub(crate) stands: Vec<(f64, Stands)>,
     /// How often the file was read again.
@@ -62,6 +64,8 @@ pub(crate) struct Row {
     pub(crate) stable: Option<bool>,
     /// What makes disturbances grow, where the study says so.
     pub(crate) resonance: Option<String>,
+    /// Whether it is a regime of a family, and not the one from the given start.
+    pub(crate) other: bool,
 }
 
 impl Row {
@@ -80,10 +84,11 @@ impl Row {
         let stands = outcome.as_ref().ok().and_then(|finding| stands::stands(&at.machine, &finding.data));
         let stable = outcome.as_ref().ok().and_then(verdict);
         let resonance = outcome.as_ref().ok().and_then(resonance);
+        let other = outcome.as_ref().is_ok_and(is_other);
         let numbers: Result<Vec<_>, Notice> =
             outcome.and_then(|finding| repeated.noted.iter().map(|(_, wanted)| number(&finding, wanted)).collect());
         let regime = numbers.as_ref().ok().and_then(|found| regimes::of(&at.machine, &repeated.noted, found));
-        Row { values, numbers, audit, stands, anew, regime, stable, resonance }
+        Row { values, numbers, audit, stands, anew, regime, stable, resonance, other }
     }
 }
 
@@ -104,6 +109,7 @@ impl Gathered {
             first: None,
             checked: 0,
             doubtful: Vec::new(),
+            others: Vec::new(),
             stands: Vec::new(),
             anew: 0,
             reasons: Vec::new(),
@@ -121,6 +127,7 @@ impl Gathered {
     /// The row of one run.
     pub(crate) fn take(&mut self, wanted: &[Noted], row: &Row) {
         let Row { values, numbers, audit, stands, anew, regime, .. } = row;
+        self.others.extend(row.other.then(|| values.clone()));
         if !self.names.is_empty() {
             self.regimes.push(regime.unwrap_or(NO_REGIME));
         }
@@ -180,6 +187,7 @@ impl Gathered {
             data.audits.push(judged(self.doubtful.len()));
             data.notes.extend(self.doubtful.first().map(|(values, audit)| doubt(values, audit)));
         }
+        data.notes.extend(self.others.first().map(|values| of_family(values, self.others.len())));
         let Some(trouble) = self.first.take() else { return Vec::new() };
         let (en, ru) = (&trouble.what.en, &trouble.what.ru);
         let (code, failed) = (trouble.code, self.failed);
@@ -198,6 +206,21 @@ impl Gathered {
     }
 }
 
+/// Says what columns lack, and of numbers of events that there are infinitely many.
+pub(crate) fn missing(data: &mut Dataset, without: Vec<(String, Text)>) {
+    without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
+    let words = Text::new("infinitely many impacts, until the contact closes", "бесконечно много ударов до замыкания контакта");
+    let of = |c: &&Column| c.quantity.name.starts_with("events") && c.values.iter().any(|v| v.is_infinite());
+    let names: Vec<String> = data.columns.iter().filter(of).map(|c| c.quantity.name.clone()).collect();
+    for name in names {
+        data.notes.push(Text::new(
+            format!("{name}: without a value there are {}", words.en),
+            format!("{name}: где значения нет, там {}", words.ru),
+        ));
+        data.state(&name, Missing::Unbounded, words.clone());
+    }
+}
+
 /// Columns with numbers at some values only, of which nothing has been said.
 pub(crate) fn partly_absent(columns: &[Column], said: &[(String, Text)]) -> Vec<(String, Text)> {
     let absent = Text::new("the study has no such number at this value", "при этом значении такого числа в расчёте нет");
@@ -213,11 +236,32 @@ pub(crate) fn judged(failed: usize) -> Audit {
 
 /// The first run of which a check failed.
 pub(crate) fn doubt(values: &[(String, f64)], audit: &Audit) -> Text {
+    let at = place(values);
+    Text::new(
+        format!("the check that failed at {}: {}", at.en, audit.name.en),
+        format!("проверка, не выполненная при {}: {}", at.ru, audit.name.ru),
+    )
+}
+
+/// `m = 1, l = 2`.
+fn place(values: &[(String, f64)]) -> Text {
     let shown: Vec<(String, Text)> = values.iter().map(|(name, value)| (name.clone(), words::digits::rounded(*value))).collect();
     let list =
         |pick: fn(&Text) -> &str| shown.iter().map(|(name, value)| format!("{name} = {}", pick(value))).collect::<Vec<_>>().join(", ");
+    Text::new(list(|t| &t.en), list(|t| &t.ru))
+}
+
+/// That regimes are others of a family than those from the given starts.
+fn of_family(first: &[(String, f64)], count: usize) -> Text {
+    let at = place(first);
     Text::new(
-        format!("the check that failed at {}: {}", list(|t| &t.en), audit.name.en),
-        format!("проверка, не выполненная при {}: {}", list(|t| &t.ru), audit.name.ru),
+        format!(
+            "a multiplier 1 besides the shift: for {count} values, the first {}, the regime is one of a family, and the numbers are those of the member that the search met, not of the motion from the given start",
+            at.en
+        ),
+        format!(
+            "кроме сдвига есть ещё мультипликатор 1: режим принадлежит семейству, и числа относятся к найденному движению, а не к движению из заданного начала (таких значений {count}, первое: {})",
+            at.ru
+        ),
     )
 }

@@ -124,7 +124,7 @@ pub(crate) fn line(place: usize, row: &Row) -> String {
     let values: Vec<Value> = row.values.iter().map(|(name, value)| json!([name, bits(*value)])).collect();
     let checked = row.audit.is_some();
     summed(
-        &json!({"row": place, "values": values, "numbers": numbers, "checked": checked, "audit": audit.flatten(), "stands": stands, "anew": row.anew, "regime": row.regime, "stable": row.stable, "resonance": row.resonance}),
+        &json!({"row": place, "values": values, "numbers": numbers, "checked": checked, "audit": audit.flatten(), "stands": stands, "anew": row.anew, "regime": row.regime, "stable": row.stable, "resonance": row.resonance, "other": row.other}),
     )
 }
 
@@ -162,7 +162,8 @@ pub(crate) fn row(line: &str) -> Option<(usize, Row)> {
     let regime = value.get("regime")?.as_u64().map(|n| n as usize);
     let stable = value.get("stable")?.as_bool();
     let resonance = value.get("resonance")?.as_str().map(str::to_owned);
-    Some((place, Row { values, numbers, audit, stands, anew, regime, stable, resonance }))
+    let other = value.get("other")?.as_bool()?;
+    Some((place, Row { values, numbers, audit, stands, anew, regime, stable, resonance, other }))
 }
 
 fn found(value: &Value) -> Option<(f64, Option<Quantity>)> {

@@ -52,10 +52,10 @@ pub(crate) fn are_noted(machine: &Machine, noted: &[Noted]) -> bool {
     !regimes.is_empty() && regimes.iter().flat_map(|regime| &regime.numbers).all(|(text, _)| is_noted(text))
 }
 
-/// The regime of a study whose numbers are these; none where the file has no regimes, or one of their numbers is not noted or has no value.
+/// The regime of a study whose numbers are these; none where the file has no regimes, or one of their numbers is not noted or has no value; a number of events may have no end.
 pub fn of(machine: &Machine, noted: &[Noted], found: &[(f64, Option<Quantity>)]) -> Option<usize> {
     let numbers: Vec<(String, f64)> = noted.iter().zip(found).map(|((_, wanted), (value, _))| (wanted.to_string(), *value)).collect();
-    let known = |text: &String| numbers.iter().any(|(own, value)| own == text && value.is_finite());
+    let known = |text: &String| numbers.iter().any(|(own, value)| own == text && !value.is_nan());
     let regimes = &machine.model.regimes;
     (!regimes.is_empty() && regimes.iter().flat_map(|regime| &regime.numbers).all(|(text, _)| known(text)))
         .then(|| which(machine, &numbers))

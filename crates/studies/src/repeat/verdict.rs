@@ -20,3 +20,9 @@ pub(super) fn verdict(results: &Results) -> Option<bool> {
         },
     }
 }
+
+/// Whether it is a regime of a family, and not the one from the given start.
+pub(super) fn is_other(results: &Results) -> bool {
+    let says = |key: &str| results.own.get(key).and_then(Value::as_bool);
+    says("one_of_a_family") == Some(true) && says("from_start") == Some(false)
+}

@@ -154,7 +154,8 @@ mod tests {
     }
 
     fn event(t: f64, guard: usize, (from, to): (&'static str, &'static str), impulse: Option<f64>) -> Event {
-        Event { t, guard, contact: Some(ContactChange { contact: format!("c{guard}"), from, to, impulse }), ..Event::default() }
+        let contact = Some(ContactChange { contact: format!("c{guard}"), from, to, impulse, endless: false });
+        Event { t, guard, contact, ..Event::default() }
     }
 
     #[test]

@@ -93,7 +93,8 @@ impl<'a, 'w> Follow<'a, 'w> {
         let mut numbers = Vec::with_capacity(self.repeated.noted.len());
         for (_, wanted) in &self.repeated.noted {
             let value = number(&results, wanted).map_err(|trouble| self.without_result(place, trouble))?.0;
-            if !value.is_finite() {
+            // of events there may be infinitely many
+            if value.is_nan() {
                 return Err(self.without_result(place, no_value(&wanted.to_string())));
             }
             numbers.push((wanted.to_string(), value));

@@ -70,7 +70,8 @@ pub fn rivals(found: &[Rival], guards: &[Guard]) -> Text {
 pub fn change(switch: &Switch, guard: &Guard) -> Option<ContactChange> {
     let (from, to) = (state(switch.before, guard)?, state(switch.after, guard)?);
     let impulse = if let Change::Impact { impulse, .. } = switch.change { Some(impulse) } else { None };
-    Some(ContactChange { contact: contact(guard), from, to, impulse })
+    let endless = matches!(switch.change, Change::Rests { .. });
+    Some(ContactChange { contact: contact(guard), from, to, impulse, endless })
 }
 
 /// A guard is named by the kind and the user's name, which has no spaces.

@@ -16,7 +16,7 @@ use super::orbits::directions;
 use super::places::Rests;
 use super::switching;
 use super::zeros::{Facts, Family, Local, Place, Sort, Zeros};
-use crate::studies::periodic::{Multiplier, Periodic, Shooting, Turned};
+use crate::studies::periodic::{Multiplier, Periodic, Shooting, Turned, of_family};
 use crate::{Fault, Machine, System};
 use algebra::eigen::general;
 use algebra::elementary;
@@ -230,7 +230,8 @@ impl Zeros for Free<'_, '_> {
             (jacobian[i * columns + k], jacobian[i * columns + k + 1]) = (border[i], along[i]);
         }
         (0..k).for_each(|j| jacobian[k * columns + j] = across[j]);
-        let multipliers = varied.multipliers.map(family);
+        let flow: Vec<f64> = varied.states.iter().map(|i| varied.rates[*i] / scales[*i]).collect();
+        let multipliers = varied.multipliers.map(|known| of_family(&known, &varied.matrix, [&flow, &border])).transpose()?;
         let outside = |m: &Multiplier| !m.trivial && m.abs() - 1.0 > m.error;
         let modes = self.machine.modes_by_value(0.0, &y[..n]).unwrap_or_default();
         let energy = self.machine.energies(0.0, &y[..n], &modes).map(|[kinetic, potential]| kinetic + potential - self.least);
@@ -282,16 +283,6 @@ impl Zeros for Free<'_, '_> {
     fn turns(&self) -> [usize; 2] {
         self.work
     }
-}
-
-/// Multipliers of a family: besides that of the shift along the motion one is 1 for the neighbours of other energies.
-fn family(mut list: Vec<Multiplier>) -> Vec<Multiplier> {
-    let from_one = |m: &Multiplier| elementary::hypot(m.re - 1.0, m.im);
-    let own = list.iter_mut().filter(|m| !m.trivial);
-    if let Some(nearest) = own.min_by(|a, b| from_one(a).total_cmp(&from_one(b))) {
-        nearest.trivial = true;
-    }
-    list
 }
 
 /// Energy is lost or gained.

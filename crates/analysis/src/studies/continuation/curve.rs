@@ -107,6 +107,16 @@ impl Curve {
         neutral::all_along(&self.places)
     }
 
+    /// The points before which small disturbances begin or cease to grow although nothing was found on the step, nor on one beside it that leaves the change over.
+    pub(super) fn unnamed(&self) -> Vec<usize> {
+        let grows = |k: usize| self.places.get(k)?.signs.outside.map(|outside| outside > 0);
+        let changes = |k: usize| k.checked_sub(1).and_then(grows).zip(grows(k)).is_some_and(|(before, after)| before != after);
+        let named = |k: usize| self.special.iter().any(|(place, _)| *place == k);
+        // so near to a special point a multiplier is on the circle as far as its error tells
+        let late = |k: usize| named(k) && !changes(k);
+        (1..self.places.len()).filter(|&k| changes(k) && !(named(k) || late(k - 1) || late(k + 1))).collect()
+    }
+
     /// The same from its end to its beginning.
     pub(super) fn turned(mut self) -> Curve {
         let last = self.places.len();

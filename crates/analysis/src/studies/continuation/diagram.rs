@@ -91,6 +91,8 @@ pub struct Diagram {
     pub creases: Vec<Crease>,
     /// Folds and period doublings from which no curve was found.
     pub lone: Vec<usize>,
+    /// Branches, and points of them before which stability changes without a special point.
+    pub unnamed: Vec<(usize, usize)>,
     /// Special points that branches have come to, with the direction from which they came.
     pub(super) joined: Vec<(usize, Vec<f64>)>,
     /// Work done.
@@ -112,6 +114,7 @@ impl Diagram {
     /// Takes a branch with what happens on it.
     pub(super) fn take(&mut self, mut curve: Curve) {
         let which = self.curves.len();
+        self.unnamed.extend(curve.unnamed().into_iter().map(|place| (which, place)));
         for (place, special) in std::mem::take(&mut curve.special) {
             match self.known(&special) {
                 None => self.special.push((which, place, special)),

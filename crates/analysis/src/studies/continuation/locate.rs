@@ -25,6 +25,8 @@ pub enum What {
     Torus,
     /// A switch is only touched: from there on it happens, or happens no more.
     Grazing,
+    /// The energy of free motions without losses is extreme.
+    Extreme,
     /// Two curves of folds in the plane of two parameters meet in a point.
     Cusp,
     /// The second parameter is extreme on a curve of folds or period doublings.
@@ -47,6 +49,7 @@ impl What {
             What::Doubling => "period doubling",
             What::Torus => "torus",
             What::Grazing => "grazing",
+            What::Extreme => "extreme of energy",
             What::Cusp => "cusp",
             What::Turn => "turn",
             What::BogdanovTakens => "bogdanov-takens",
@@ -93,6 +96,10 @@ pub(super) enum Test {
     Pair,
     Switches,
     Count,
+    /// Π (1 - μ) of free motions.
+    Ones,
+    /// How both parameters move along a curve of folds.
+    Cusp,
     /// ω² of a pair of roots.
     Frequency,
     /// The first Lyapunov coefficient.
@@ -149,10 +156,19 @@ pub(super) fn flagged(a: &Place, b: &Place) -> Vec<Test> {
     if branch {
         list.push(Test::Branch);
     }
-    if changes(s.fold, t.fold) && (s.fold - t.fold).abs() > LEVEL && !branch {
+    let both = |x: Option<f64>, y: Option<f64>| x.zip(y).is_some_and(|(x, y)| changes(x, y));
+    let alike = regular && a.local.states == b.local.states;
+    if !branch && alike && both(s.ones, t.ones) {
+        list.push(Test::Ones);
+    }
+    let cusp = alike && both(s.cusp, t.cusp);
+    if cusp {
+        list.push(Test::Cusp);
+    }
+    // in a cusp both parameters rest
+    if changes(s.fold, t.fold) && (s.fold - t.fold).abs() > LEVEL && !branch && !cusp {
         list.push(Test::Fold);
     }
-    let both = |x: Option<f64>, y: Option<f64>| x.zip(y).is_some_and(|(x, y)| changes(x, y));
     if both(s.doubling, t.doubling) {
         list.push(Test::Doubling);
     }
@@ -283,6 +299,8 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Branch => place.signs.branch,
         Test::Doubling => place.signs.doubling.unwrap_or(f64::NAN),
         Test::Pair => place.signs.pair.unwrap_or(f64::NAN),
+        Test::Ones => place.signs.ones.unwrap_or(f64::NAN),
+        Test::Cusp => place.signs.cusp.unwrap_or(f64::NAN),
         Test::Frequency | Test::Lyapunov | Test::Rest | Test::Angle(_) => turned(place, test).unwrap_or(f64::NAN),
         // located by itself
         Test::Switches => f64::NAN,
@@ -314,6 +332,8 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
         Test::Pair if !leaves_as_pair(&numbers, sort) => return Ok(None),
         Test::Pair => of_pair(sort),
         Test::Count => of_count(&place, sort),
+        Test::Ones => What::Extreme,
+        Test::Cusp => What::Cusp,
         Test::Frequency | Test::Rest => What::BogdanovTakens,
         Test::Lyapunov => What::Bautin,
         Test::Angle(order) => What::Resonance(order),
@@ -328,11 +348,18 @@ fn one(zeros: &mut dyn Zeros, a: &Place, b: &Place, test: Test) -> Result<Option
 const KNOWN: f64 = 1e-8;
 
 /// Whether the multiplier next to 1 is known too badly to cross it. Where oscillations set in, both 1 - μ and what the parameter changes vanish with the amplitude, and the sign of the
-/// determinant is rounding, and so is whether the multiplier is outside.
+/// determinant is rounding, and so is whether the multiplier is outside. Without damping it meets its reciprocal there: of a double root each is known to the root of what
+/// their sum is, and (1 - μ)(1 - 1/μ) = 2 - (μ + 1/μ) crosses 0 with all digits of the sum.
 fn hardly_known(numbers: &[Multiplier]) -> bool {
     let off = |m: &Multiplier| elementary::hypot(m.re - 1.0, m.im);
-    let next = numbers.iter().filter(|m| !m.trivial).min_by(|a, b| off(a).total_cmp(&off(b)));
-    next.is_some_and(|m| m.error > KNOWN)
+    let mut own: Vec<&Multiplier> = numbers.iter().filter(|m| !m.trivial).collect();
+    own.sort_by(|a, b| off(a).total_cmp(&off(b)));
+    let error = match own[..] {
+        [first, second, ..] if signs::are_reciprocal(first, second) => first.error * second.error,
+        [first, ..] => first.error,
+        [] => 0.0,
+    };
+    error > KNOWN
 }
 
 /// By how much the parameter is not known where a pair crosses slowly: its error over the slope of its way from a to b.

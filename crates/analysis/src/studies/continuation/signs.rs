@@ -7,6 +7,8 @@
 //! period doubling      Π (μ_i + 1)
 //! torus                Π_(i<j) (1 - μ_i μ_j)          of a pair that leaves the unit circle, not of two real multipliers
 //! Hopf point           Π_(i<j) (-λ_i - λ_j)           the same of roots
+//! extreme of energy    Π (1 - μ_i)                    of free motions without losses, where it is no branch point: the sign of both is that of dE/ds times it
+//! cusp                 κ: dp/ds = -κ w R_q, dq/ds = κ w R_p     on a curve of folds in the plane of p and q, w A = 0: w R_u v v but for its size
 //! ```
 //!
 //! A contact that sticks or closes just where the period begins takes directions away, and their multipliers 0 with them. Each factor is positive for what is stable, so
@@ -18,6 +20,7 @@ use super::neutral::Even;
 use super::zeros::{Place, Signs, Sort};
 use crate::studies::periodic::Multiplier;
 use algebra::complex::{self, Complex};
+use algebra::elementary;
 use algebra::lu::Lu;
 
 /// The test functions at a point.
@@ -29,16 +32,20 @@ pub(super) fn at(place: &Place, sort: Sort) -> Signs {
     let square: Vec<f64> = (0..m * m).map(|e| place.local.jacobian[e / m * k + e % m]).collect();
     let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
     let numbers = place.local.facts.multipliers.as_deref();
-    let pair = numbers.and_then(|numbers| pair(numbers, sort));
+    // without losses each multiplier has its reciprocal, and products of pairs are rounding; the number outside tells what leaves the circle
+    let free = place.local.facts.energy.is_some();
+    let pair = numbers.filter(|_| !free).and_then(|numbers| pair(numbers, sort));
     Signs {
         fold: place.tangent[last] / place.local.scales[last],
         branch: Lu::exact(&matrix, k).map_or(0.0, |lu| sign * lu.determinant()),
         neutral: Even::new(&matrix, &place.local, sort).count(),
         square: Lu::exact(&square, m).map_or(0.0, |lu| sign * lu.determinant()),
-        doubling: numbers.filter(|_| sort == Sort::Multipliers).map(doubling),
+        doubling: numbers.filter(|_| sort == Sort::Multipliers).map(|numbers| product(numbers, 1.0)),
         pair: pair.map(|pair| pair.0),
         paired: pair.is_some_and(|pair| pair.1 == Bond::Known),
         outside: numbers.map(|numbers| outside(numbers, sort)),
+        ones: numbers.filter(|_| free).map(|numbers| product(numbers, -1.0)),
+        cusp: place.local.facts.across.map(|across| along_both(place, across)),
     }
 }
 
@@ -47,8 +54,16 @@ fn own(numbers: &[Multiplier]) -> Vec<Complex> {
     numbers.iter().filter(|m| !m.trivial).map(|m| Complex { re: m.re, im: m.im }).collect()
 }
 
-fn doubling(multipliers: &[Multiplier]) -> f64 {
-    own(multipliers).into_iter().map(|m| m + Complex { re: 1.0, im: 0.0 }).fold(Complex { re: 1.0, im: 0.0 }, |a, b| a * b).re
+/// Π (1 + by μ).
+fn product(multipliers: &[Multiplier], by: f64) -> f64 {
+    let one = Complex { re: 1.0, im: 0.0 };
+    own(multipliers).into_iter().map(|m| one + m.scale(by)).fold(one, |a, b| a * b).re
+}
+
+/// κ of both parameters, the last unknowns.
+fn along_both(place: &Place, [p, q]: [f64; 2]) -> f64 {
+    let moves = |back: usize| place.tangent.len().checked_sub(back).map_or(0.0, |i| place.tangent[i] / place.local.scales[i]);
+    (p * moves(1) - q * moves(2)) / elementary::hypot(p, q)
 }
 
 /// Whether the product (the sum) of some pair is 1 (0) as far as its errors tell: the pair stays on the circle (the axis), as in a machine without damping.
@@ -119,6 +134,13 @@ fn bond((a, error_a): (Complex, f64), (b, error_b): (Complex, f64), sort: Sort) 
             ((a + b).scale(share), (error_a + error_b) * share)
         }
     }
+}
+
+/// Whether the product of two multipliers is 1 as far as their errors tell.
+pub(super) fn are_reciprocal(a: &Multiplier, b: &Multiplier) -> bool {
+    let [a, b] = [a, b].map(|m| (Complex { re: m.re, im: m.im }, m.error));
+    let (off, error) = bond(a, b, Sort::Multipliers);
+    complex::abs(off) <= error
 }
 
 /// How far the nearest multiplier is from where it would mean something: from 1 and from -1.

@@ -81,7 +81,8 @@ impl<'z> Turning<'z> {
         best.map(|(_, found)| found).ok_or_else(no_border)
     }
 
-    /// g with the border that there is; one that lies beside the null directions is made where there is none. The sign of g goes on: what happens on the curve is told by signs.
+    /// g with the border that there is; one that lies beside the null directions is made where there is none. The signs of g and of the null direction of A' go on: what happens on the
+    /// curve is told by signs.
     fn test(&mut self, local: &mut Local) -> Result<f64, Fault> {
         if self.is_pair() {
             let (g, told, size) = self.of_pair(local)?;
@@ -98,14 +99,27 @@ impl<'z> Turning<'z> {
         {
             return Ok(right.g);
         }
-        let (mut b, c) = null(&transposed(&matrix, k), k).zip(null(&matrix, k)).ok_or_else(no_border)?;
+        let (mut b, mut c) = null(&transposed(&matrix, k), k).zip(null(&matrix, k)).ok_or_else(no_border)?;
+        let turned = |v: &mut [f64]| v.iter_mut().for_each(|v| *v = -*v);
+        if old.as_ref().is_some_and(|(_, left)| inner(&b, &left.v) < 0.0) {
+            turned(&mut b);
+        }
         let mut found = Bordered::new(&matrix, &b, &c).ok_or_else(no_border)?;
         if old.is_some_and(|(right, _)| right.determinant * found.determinant < 0.0) {
-            b.iter_mut().for_each(|b| *b = -*b);
+            turned(&mut c);
             found.g = -found.g;
         }
         self.border = Some([b, c]);
         Ok(found.g)
+    }
+
+    /// w ∂R/∂p of both parameters, the last columns of equations of which A is the part before them; w A = 0 as b lies.
+    fn across(&self, local: &Local) -> Option<[f64; 2]> {
+        let ([b, c], columns) = (self.border.as_ref()?, local.basis.len());
+        let k = b.len();
+        let entry = |e: usize| local.jacobian[e % k * columns + e / k];
+        let w = Bordered::new(&(0..k * k).map(entry).collect::<Vec<_>>(), c, b)?.v;
+        Some([k, k + 1].map(|j| (0..k).map(|i| w[i] * local.jacobian[i * columns + j]).sum()))
     }
 
     /// g with the border that there is.
@@ -171,9 +185,12 @@ fn rescaled(local: &Local, near: &Local) -> Vec<f64> {
     local.residual.iter().enumerate().map(|(i, r)| r * share(i)).collect()
 }
 
+fn inner(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 fn beside(c: &[f64], v: &[f64]) -> bool {
-    let inner: f64 = c.iter().zip(v).map(|(c, v)| c * v).sum();
-    inner.abs() >= BESIDE * norm(c) * norm(v)
+    inner(c, v).abs() >= BESIDE * norm(c) * norm(v)
 }
 
 fn transposed(matrix: &[f64], k: usize) -> Vec<f64> {
@@ -242,6 +259,7 @@ impl Zeros for Turning<'_> {
         local.basis.iter_mut().for_each(|column| column.push(0.0));
         local.basis.push((0..=last).map(|i| if i == last { 1.0 } else { 0.0 }).collect());
         local.scales.push(self.range);
+        local.facts.across = if self.what == What::Fold { self.across(&local) } else { None };
         // one of the multipliers is where it is by definition
         local.facts.multipliers = None;
         local.facts.stable = None;

@@ -42,6 +42,8 @@ pub struct Facts {
     pub(super) pair: Option<(Sort, f64)>,
     /// On a curve of Hopf points the first Lyapunov coefficient.
     pub lyapunov: Option<f64>,
+    /// On a curve of folds w ∂R/∂p of both parameters, w A = 0.
+    pub(super) across: Option<[f64; 2]>,
     /// On a curve of folds of places of rest the product of the roots that are not 0, as a share of what it may be.
     pub(super) rest: Option<f64>,
     /// Number of intervals of the mesh where it was found by collocation; none of other points.
@@ -202,6 +204,10 @@ pub(super) struct Signs {
     pub(super) paired: bool,
     /// Number of multipliers outside.
     pub(super) outside: Option<usize>,
+    /// Of free motions without losses Π (1 - μ).
+    pub(super) ones: Option<f64>,
+    /// On a curve of folds how both parameters move along it, by w ∂R/∂p.
+    pub(super) cusp: Option<f64>,
 }
 
 /// Points lie on their branch to this share of what varies: corrections end below it, mostly by three digits.

@@ -34,6 +34,7 @@ const ROUNDED: f64 = 64.0;
 const PARTS: usize = 12;
 
 /// A turn that closes.
+#[derive(Clone)]
 pub(super) struct Found<'o> {
     pub(super) orbit: Orbit,
     /// Number of coordinates.
@@ -51,6 +52,8 @@ pub(super) struct Found<'o> {
     pub(super) carried: Vec<f64>,
     /// Whether the motion is far smaller than in the first turn.
     pub(super) shrunk: bool,
+    /// Whether the motion from the given start comes here by itself, without a correction.
+    pub(super) own: bool,
     /// Who listens.
     pub(super) listener: Listener<'o>,
 }

@@ -21,6 +21,7 @@ mod multiple;
 mod newton;
 mod options;
 mod orbit;
+mod own;
 mod pieces;
 mod rest;
 mod shooting;
@@ -38,7 +39,7 @@ pub use listener::{Listener, Stage};
 pub use options::{Aim, Formula, Multiplier, Periodic, Return};
 pub(in crate::studies) use pieces::{Look, Piece, piece};
 pub(in crate::studies) use shooting::{Passage, Shooting, Turned, Varied, tangent_of};
-pub(in crate::studies) use spectrum::{name_shift, named};
+pub(in crate::studies) use spectrum::{name_shift, named, of_family};
 pub(in crate::studies) use variation::CORRECTS;
 pub use verdict::NEUTRAL;
 
@@ -78,6 +79,8 @@ pub struct Regime {
     pub pieces: usize,
     /// The states that have to come back, to which the multipliers belong: no translations, nothing that follows by connections.
     pub returning: Vec<usize>,
+    /// Whether the motion from the given start comes to it by itself, without a correction.
+    pub own: bool,
 }
 
 /// A regime, or why there is none, with what was found so far.
@@ -147,7 +150,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     let coefficients = coefficients::along(system, &found, options.coefficients)?;
     let gain = found.orbit.last.iter().zip(&found.orbit.first).map(|(b, a)| b - a).collect();
     let period = found.orbit.period;
-    let returning = found.returning(None);
+    let (returning, own) = (found.returning(None), found.own);
     if let (Return::Period(given), false) = (&options.by, found.is_driven()) {
         dataset.notes.push(own_period(*given, period));
     }
@@ -163,6 +166,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         coefficients,
         pieces,
         returning,
+        own,
     })
 }
 
@@ -236,7 +240,9 @@ fn begun<'o, S: System + ?Sized>(system: &mut S, found: Found<'o>, begin: Formul
     // corrected once more; where the section lies on a switch or at rest, the correction may lead away from it
     match newton::solve(system, &x, &again) {
         // the same regime, corrected by what a section changes of it
-        Ok(other) if other.away_from(&x) < 1e-6 && (other.orbit.period / found.orbit.period - 1.0).abs() < 1e-6 => Ok(other),
+        Ok(other) if other.away_from(&x) < 1e-6 && (other.orbit.period / found.orbit.period - 1.0).abs() < 1e-6 => {
+            Ok(Found { own: found.own && other.own, ..other })
+        }
         _ => found.shifted(system, &x, options),
     }
 }

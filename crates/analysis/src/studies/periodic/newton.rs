@@ -6,6 +6,7 @@ use super::fundamental;
 use super::listener::Stage;
 use super::options::{Periodic, Return};
 use super::orbit::{Orbit, Section, follow};
+use super::own::{CLOSES, Plain};
 use super::rest::{self, Left};
 use super::symmetry::{self, Reach, Symmetry};
 use super::turns::{self, Known, Turns};
@@ -65,14 +66,15 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
     {
         return Ok(found);
     }
-    let mut turns = Attempts { x, best: None, follow_only: 0, last: f64::INFINITY, patience: Patience::default(), went: None };
+    let mut turns =
+        Attempts { x, best: None, follow_only: 0, last: f64::INFINITY, patience: Patience::default(), went: None, plain: Plain::None };
     for turn in 0..TURNS {
         if interrupted(options) || turns.turn(system, &mut search, turn)? == Settled::Yes {
             break;
         }
     }
     match turns.best {
-        Some((miss, found)) if miss <= ENOUGH => Ok(found),
+        Some((miss, found)) if miss <= ENOUGH => Ok(turns.plain.or(system, found, options.seed)),
         Some((miss, _)) => Err(unsettled(miss, TURNS)),
         None => Err(unsettled(1.0, 0)),
     }
@@ -106,6 +108,8 @@ struct Attempts<'o> {
     patience: Patience,
     /// Where the motion itself went, beside a start that Newton's method proposes.
     went: Option<Vec<f64>>,
+    /// A turn of the motion from the given start that closes.
+    plain: Plain<'o>,
 }
 
 /// Whether a search is at its end.
@@ -170,6 +174,9 @@ impl<'o> Attempts<'o> {
         (found, gap, miss): (Found<'o>, Vec<f64>, f64),
         by_proposal: Option<&[f64]>,
     ) -> Result<Settled, Fault> {
+        if matches!(self.plain, Plain::None) && miss <= CLOSES {
+            self.plain = Plain::Turn(Box::new(Found { own: true, ..found.clone() }));
+        }
         let better = self.best.as_ref().is_none_or(|(least, _)| miss < *least);
         let settled = miss <= EXACT || (self.best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * self.last);
         let next_turn = found.next_start(system, &gap);
@@ -193,6 +200,9 @@ impl<'o> Attempts<'o> {
         };
         self.x = match step.and_then(|step| moved(system, &found, &step).ok()) {
             Some(proposed) => {
+                if matches!(self.plain, Plain::None) {
+                    self.plain = Plain::Left;
+                }
                 self.went = Some(next_turn);
                 proposed
             }
@@ -688,6 +698,7 @@ impl<'o> Search<'_, 'o> {
             turns: self.turns.clone(),
             carried: self.carried.clone(),
             shrunk: self.shrunk,
+            own: false,
             listener: self.options.listener,
         })
     }

@@ -97,6 +97,7 @@ impl<'o> Shooting<'o> {
             turns: Turns::default(),
             carried: vec![0.0; x.len()],
             shrunk: false,
+            own: false,
             listener: options.listener,
         };
         let wound = vec![0.0; x.len()];
@@ -166,6 +167,7 @@ impl<'o> Shooting<'o> {
             turns: self.found.turns.clone(),
             carried: self.carried_in(period),
             shrunk: false,
+            own: false,
             listener: self.found.listener,
         }))
     }

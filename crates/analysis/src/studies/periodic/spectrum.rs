@@ -75,27 +75,72 @@ pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
     Ok(Spectrum { multipliers, shift: shift.map(|(_, off)| off), magnified })
 }
 
+/// A reflection that turns a direction into the first axis.
+struct Mirror {
+    v: Vec<f64>,
+    square: f64,
+}
+
+impl Mirror {
+    /// f -> ± e_1, the sign that does not cancel; f has unit length.
+    fn new(f: &[f64]) -> Mirror {
+        let mut v = f.to_vec();
+        v[0] += if f[0] < 0.0 { -1.0 } else { 1.0 };
+        Mirror { square: v.iter().map(|x| x * x).sum(), v }
+    }
+
+    fn reflect(&self, x: &mut [f64]) {
+        let amount = 2.0 * x.iter().zip(&self.v).map(|(a, b)| a * b).sum::<f64>() / self.square;
+        x.iter_mut().zip(&self.v).for_each(|(x, v)| *x -= amount * v);
+    }
+
+    /// H A H without its first row and column, transposed.
+    fn rest(&self, matrix: &[f64]) -> Vec<f64> {
+        let n = self.v.len();
+        let mut rows = matrix.to_vec();
+        rows.chunks_mut(n).for_each(|row| self.reflect(row));
+        let mut columns = transposed(n, &rows);
+        columns.chunks_mut(n).for_each(|column| self.reflect(column));
+        columns.chunks(n).skip(1).flat_map(|column| column[1..].iter().copied()).collect()
+    }
+}
+
+fn transposed(n: usize, matrix: &[f64]) -> Vec<f64> {
+    (0..n * n).map(|k| matrix[(k % n) * n + k / n]).collect()
+}
+
+fn unit(f: &[f64]) -> Vec<f64> {
+    let length = f.iter().map(|f| f * f).sum::<f64>().sqrt();
+    f.iter().map(|v| v / length).collect()
+}
+
 /// B, and of the first axis its eigenvalue and how well it is met.
 fn without_shift(n: usize, matrix: &[f64], flow: &[f64]) -> (Vec<f64>, Option<(f64, f64)>) {
-    let length = flow.iter().map(|f| f * f).sum::<f64>().sqrt();
-    let f: Vec<f64> = flow.iter().map(|v| v / length).collect();
+    let f = unit(flow);
     let image: Vec<f64> = (0..n).map(|i| (0..n).map(|j| matrix[i * n + j] * f[j]).sum()).collect();
     let off = image.iter().zip(&f).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
     let value = image.iter().zip(&f).map(|(a, b)| a * b).sum();
-    // reflection with f -> ± e_1, the sign that does not cancel
-    let mut v = f.clone();
-    v[0] += if f[0] < 0.0 { -1.0 } else { 1.0 };
-    let square: f64 = v.iter().map(|x| x * x).sum();
-    let reflect = |x: &mut [f64]| {
-        let amount = 2.0 * x.iter().zip(&v).map(|(a, b)| a * b).sum::<f64>() / square;
-        x.iter_mut().zip(&v).for_each(|(x, v)| *x -= amount * v);
-    };
-    let mut rows = matrix.to_vec();
-    rows.chunks_mut(n).for_each(reflect);
-    let mut columns: Vec<f64> = (0..n * n).map(|k| rows[(k % n) * n + k / n]).collect();
-    columns.chunks_mut(n).for_each(reflect);
-    let rest = (0..(n - 1) * (n - 1)).map(|k| columns[(k % (n - 1) + 1) * n + k / (n - 1) + 1]).collect();
-    (rest, Some((value, off)))
+    (transposed(n - 1, &Mirror::new(&f).rest(matrix)), Some((value, off)))
+}
+
+/// Multipliers of motions without losses, of which all neighbours of other energies close as well: f is kept by Φ, and b, the gradient of the energy, by Φ'. What is across both has the
+/// multipliers beside these two 1, which would be of one root with a pair that meets there, and known to the root, or the fourth root, of a rounding.
+pub(in crate::studies) fn of_family(known: &[Multiplier], matrix: &[f64], [f, b]: [&[f64]; 2]) -> Result<Vec<Multiplier>, Fault> {
+    let n = f.len();
+    if n < 2 {
+        return Ok(known.to_vec());
+    }
+    let (along, mut up) = (Mirror::new(&unit(f)), unit(b));
+    along.reflect(&mut up);
+    // transposed, so that b is kept from the right
+    let rest = along.rest(matrix);
+    let rest = Mirror::new(&unit(&up[1..])).rest(&rest);
+    let size = known.iter().filter(|m| !m.trivial).map(|m| m.error).fold(f64::INFINITY, f64::min);
+    let mut list = with_errors(n - 2, &rest, size, 1)?;
+    let one = Multiplier { re: 1.0, trivial: true, error: size, ..Multiplier::default() };
+    list.extend([one, one]);
+    list.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im)));
+    Ok(list)
 }
 
 /// Eigenvalues, each with what it moves by when the entries of the matrix move by `size`.

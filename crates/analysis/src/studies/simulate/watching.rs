@@ -63,7 +63,7 @@ impl Run {
             let (name, contact) = (push.name.clone(), push.label.en.rsplit(' ').next().unwrap_or_default().to_owned());
             self.list_inside((name, what), [1.0, -1.0], tau, along);
             if let Some(event) = self.events.last_mut() {
-                event.contact = Some(ContactChange { contact, from: "pushes", to: "pulls", impulse: None });
+                event.contact = Some(ContactChange { contact, from: "pushes", to: "pulls", impulse: None, endless: false });
             }
         }
     }
