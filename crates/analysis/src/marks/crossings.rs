@@ -220,9 +220,11 @@ mod tests {
     #[test]
     fn what_noise_blurs_is_told() {
         let found = stretches(&of_roots(&[0.3, 0.3000001, 0.9]), 1e-9);
-        let told: Vec<_> = found.iter().map(|s| s.signs).collect();
-        assert_eq!(told, [Some([-1.0; 2]), None, Some([-1.0, 1.0])], "{found:?}");
-        assert!(found[1].from <= 0.3 && found[1].to >= 0.3000001 && found[1].to - found[1].from < 0.01);
+        let mut told: Vec<_> = found.iter().map(|s| s.signs).collect();
+        told.dedup();
+        assert_eq!(told, [Some([-1.0; 2]), None, Some([-1.0; 2]), Some([-1.0, 1.0])], "{found:?}");
+        let blurred = found.iter().find(|s| s.signs.is_none()).unwrap();
+        assert!(blurred.from <= 0.3 && blurred.to >= 0.3000001 && blurred.to - blurred.from < 0.01);
     }
 
     #[test]

@@ -62,7 +62,13 @@ pub struct Watcher {
 impl Watcher {
     /// For these events.
     pub fn new(events: &[Named]) -> Watcher {
-        Watcher { events: events.to_vec(), states: vec![(0.0, 0.0); events.len()], started: false, proxies: Proxies::default(), blurred: vec![false; events.len()] }
+        Watcher {
+            events: events.to_vec(),
+            states: vec![(0.0, 0.0); events.len()],
+            started: false,
+            proxies: Proxies::default(),
+            blurred: vec![false; events.len()],
+        }
     }
 
     /// The events watched.

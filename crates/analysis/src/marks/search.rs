@@ -84,29 +84,30 @@ impl<'a, L: Line> Search<'a, L> {
         }
     }
 
-    /// A part whose ends have these signs. One that tells of a change counts where the quantity is more than its rounding.
+    /// A part whose ends have these signs. Where they tell of a change, those of the quantity itself count.
     fn clear(&mut self, [from, to]: [f64; 2], signs: [f64; 2], (piece, stretch): (&Piece, Stretch)) {
         let changes = signs[0] != self.sign || signs[0] != signs[1];
-        match [changes && self.rests(from), changes && self.rests(to)] {
-            [false, false] => {
-                self.turn([self.known, from], signs[0]);
-                if signs[0] != signs[1] {
-                    let tau = self.passed([from, to], signs[1], (piece, stretch));
-                    self.turns.list.push((tau, signs[1]));
-                }
-                self.stand(to, signs[1]);
-            }
-            [false, true] => {
-                self.turn([self.known, from], signs[0]);
-                self.stand(from, signs[0]);
-                self.rest(to);
-            }
-            [true, false] => {
-                self.turn([self.known, to], signs[1]);
-                self.stand(to, signs[1]);
-            }
-            [true, true] => self.rest(to),
+        let [first, last] = if changes { [from, to].map(|tau| self.sign_at(tau)) } else { signs };
+        if first != 0.0 {
+            self.turn([self.known, from], first);
+            self.stand(from, first);
         }
+        match last {
+            0.0 => self.rest(to),
+            _ if first == 0.0 || first == last => self.turn([self.known, to], last),
+            _ => {
+                let tau = self.passed([from, to], last, (piece, stretch));
+                self.turns.list.push((tau, last));
+            }
+        }
+        if last != 0.0 {
+            self.stand(to, last);
+        }
+    }
+
+    /// The sign of the quantity, 0 where it may be rounding.
+    fn sign_at(&mut self, tau: f64) -> f64 {
+        if self.rests(tau) { 0.0 } else { self.line.output(tau, self.output).signum() }
     }
 
     /// Tells of a change to this sign in a part at whose end the quantity has it, if it had the other before.
@@ -157,12 +158,11 @@ impl<'a, L: Line> Search<'a, L> {
 
     /// A part that no polynomial says anything of: an instant, or what is rounding within a billionth of its values.
     fn by_its_end(&mut self, [from, to]: [f64; 2]) {
-        if self.rests(to) {
-            self.lost |= !self.rests(from) && to - from > SHORT * self.line.length();
+        let sign = self.sign_at(to);
+        self.lost |= to - from > SHORT * self.line.length() && (sign != 0.0 || !self.rests(from));
+        if sign == 0.0 {
             return self.rest(to);
         }
-        let sign = self.line.output(to, self.output).signum();
-        self.lost |= to - from > SHORT * self.line.length();
         self.turn([self.known, to], sign);
         self.stand(to, sign);
     }

@@ -131,7 +131,9 @@ impl Proxies {
             if part.left.is_empty() {
                 continue;
             }
-            let rounding = source.rounding(part.to);
+            // beside a pole or a cusp it is large at one end only
+            let [mut rounding, other] = [source.rounding(part.to), source.rounding(part.from)];
+            rounding.iter_mut().zip(other).for_each(|(end, other)| *end = end.min(other));
             if !rounding.is_empty() {
                 self.take((&fine, &rounding), &behind, &mut part, &mut out);
             }

@@ -86,10 +86,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.work.rejected += 1;
             return Ok(Landing::AtChangePoint);
         }
-        let full = h >= self.now.until(target);
         let (length, ending) = self.shorten_to_event(h);
+        let (full, whole) = (length >= self.now.until(target), length == h);
         self.evaluate(length);
-        if ending == Ending::Plain {
+        if ending == Ending::Plain && whole {
             // the stage itself has digits that the powers lose
             for (i, change) in engine.change().iter().enumerate() {
                 (self.next_x[i], self.next_low[i]) = algebra::sum::two_sum(self.x[i], change + self.low[i]);
@@ -110,7 +110,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         (self.step.length, self.step.ends) = (length, lands);
         self.work.implicit_steps += 1;
-        engine.keep();
+        // the next step continues this one where this one ends
+        if whole {
+            engine.keep()
+        } else {
+            engine.forget()
+        }
         self.implicit.next = Some(h * growth);
         self.implicit.taken = 0;
         let arrived = self.arrive(lands, ending);

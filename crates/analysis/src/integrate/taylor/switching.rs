@@ -223,7 +223,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.crowd.last = self.now;
         // impacts end by their own rule
         let impact = self.switches.iter().any(|s| s.change != Change::Mode);
-        if gap > CLOSE * self.natural || impact {
+        // what has died out below the tolerance lets steps be as long as they like
+        if gap > CLOSE * self.natural.min(self.span) || impact {
             self.crowd.close = 0;
             return Ok(());
         }
