@@ -85,10 +85,10 @@ impl Watcher {
         let h = along.length();
         let pieces = self.proxies.pieces(along, &outputs, h);
         let mut found = Vec::new();
-        for i in 0..self.events.len() {
-            let own: Vec<&Piece> = pieces.iter().filter(|p| p.of == outputs[i]).collect();
+        for (i, &output) in outputs.iter().enumerate() {
+            let own: Vec<&Piece> = pieces.iter().filter(|p| p.of == output).collect();
             let (sign, largest) = self.states[i];
-            let mut search = Search::new(along, outputs[i], (sign, largest));
+            let mut search = Search::new(along, output, (sign, largest));
             search.whole(&own);
             let Search { sign, largest, lost, turns, .. } = search;
             let begins = Some(sign).filter(|_| !self.started && turns.begins);

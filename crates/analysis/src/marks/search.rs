@@ -18,6 +18,8 @@ const PATIENCE: u32 = 256;
 const FAILING: i64 = 24;
 /// Share of a step up to which a part in which the quantity rests at zero is rounding of one instant.
 const INSTANT: f64 = 1e-9;
+/// First stride on the way back through a part, as a share of it.
+const STRIDE: f64 = 1e-6;
 /// The same of a part of which its ends say enough.
 const SHORT: f64 = 1e-6;
 /// The same at the start, which a quantity may leave flat: t⁶ is rounding for so long.
@@ -44,7 +46,7 @@ pub(super) struct Search<'a, L: Line> {
     pub(super) sign: f64,
     /// Largest value so far.
     pub(super) largest: f64,
-    /// Where it was clear last, or rested for longer than an instant.
+    /// Where it was clear last.
     known: f64,
     /// Where it began to rest since then, and did so last.
     rested: [f64; 2],
@@ -116,9 +118,24 @@ impl<'a, L: Line> Search<'a, L> {
             self.turns.first = sign;
             self.turns.begins = self.rested[1] <= BEGINS * self.line.length();
         } else if sign != self.sign {
-            let tau = self.taken(part, sign);
+            let [from, to] = self.rested;
+            let tau = if to - from > INSTANT * self.line.length() { self.left([from, part[1]], sign) } else { self.taken(part, sign) };
             self.turns.list.push((tau, sign));
         }
+    }
+
+    /// The instant from which on the quantity has the sign that it has at the end of a part in which it rests: it may leave zero flat, and is followed back through its
+    /// rounding while it keeps the sign.
+    fn left(&mut self, [from, to]: [f64; 2], sign: f64) -> f64 {
+        let (mut at, mut stride) = (to, STRIDE * (to - from));
+        while at > from {
+            let before = (at - stride).max(from);
+            if self.line.output(before, self.output) * sign <= 0.0 {
+                return self.taken([before, at], sign);
+            }
+            (at, stride) = (before, 2.0 * stride);
+        }
+        from
     }
 
     /// The quantity has this sign, more than rounding of it.
@@ -128,9 +145,6 @@ impl<'a, L: Line> Search<'a, L> {
 
     fn rest(&mut self, to: f64) {
         self.rested[1] = to;
-        if to - self.rested[0] > INSTANT * self.line.length() {
-            self.known = to;
-        }
     }
 
     /// A part in which the polynomial says nothing.

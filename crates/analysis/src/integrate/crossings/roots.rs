@@ -289,17 +289,17 @@ mod tests {
     fn a_root_that_rounding_blurs_is_seen_from_nearby() {
         let sharp = |root: f64| 1e-11 * root;
         // nothing is left out of it: its last terms are zero
-        let quintic = |at: f64| [with_roots(&[1.3 - at; 5]), vec![0.0; 2]].concat();
+        let whole = |roots: &[f64]| [with_roots(roots), vec![0.0; 2]].concat();
         let (mut at, mut times) = (0.0, 0);
         let root = loop {
-            let c = quintic(at);
+            let c = whole(&[1.3 - at; 5]);
             let root = RootFinder::default().first_crossing(&c, 2.0, -1.0).unwrap();
             let Some(clear) = clear_before(&c, root, sharp(root).max(4.0 * f64::EPSILON)) else { break at + root };
             (at, times) = (at + clear, times + 1);
         };
         assert!((root - 1.3).abs() < ROUNDING && (3..=8).contains(&times), "{root} {times}");
         // simple ones are sharp from anywhere
-        assert_eq!(clear_before(&with_roots(&[0.4, 3.0, -2.0]), 0.4, sharp(0.4)), None);
+        assert_eq!(clear_before(&whole(&[0.4, 3.0, -2.0]), 0.4, sharp(0.4)), None);
     }
 
     #[test]
