@@ -216,8 +216,8 @@ impl<S: System + ?Sized> Line for Along<'_, S> {
         self.outputs(tau)[output]
     }
     fn doubt(&mut self, tau: f64) -> Vec<f64> {
-        let (place, instant) = (self.place(tau), 8.0 * f64::EPSILON * self.time(tau).abs());
-        self.off_by(place, |c, length| DRIFTED * size(c, length) + instant * size(c.get(1..).unwrap_or_default(), length) * c.len() as f64)
+        let (place, instant) = (self.place(tau), f64::EPSILON * self.time(tau).abs());
+        self.off_by(place, |c, length| DRIFTED * size(c, length) + instant * slope(c, length))
     }
     fn has_contacts(&self) -> bool {
         self.system.guards().iter().any(|guard| matches!(guard.kind, GuardKind::Contact { .. }))
@@ -260,6 +260,11 @@ fn moved(c: &[f64], from: f64) -> Vec<f64> {
         }
     }
     c
+}
+
+/// Σ k |c_k| h^(k-1).
+fn slope(c: &[f64], h: f64) -> f64 {
+    c.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c)| sum * h + k as f64 * c.abs())
 }
 
 /// Σ |c_k| h^k.

@@ -18,12 +18,12 @@ const PATIENCE: u32 = 256;
 const FAILING: i64 = 24;
 /// Share of a step up to which a part in which the quantity rests at zero is rounding of one instant.
 const INSTANT: f64 = 1e-9;
+/// Share of a step up to which the ends of a part that cannot be followed say enough of it.
+const SHORT: f64 = 1e-6;
+/// Share of the first step within which a quantity that is zero at the start leaves it there: t⁶ is rounding for so long.
+const BEGINS: f64 = 1e-2;
 /// First stride on the way back through a part, as a share of it.
 const STRIDE: f64 = 1e-6;
-/// The same of a part of which its ends say enough.
-const SHORT: f64 = 1e-6;
-/// The same at the start, which a quantity may leave flat: t⁶ is rounding for so long.
-const BEGINS: f64 = 1e-2;
 /// Where a part is cut: a root in its middle is at no end of both.
 const CUT: f64 = 0.41;
 
@@ -50,7 +50,8 @@ pub(super) struct Search<'a, L: Line> {
     known: f64,
     /// Where it began to rest since then, and did so last.
     rested: [f64; 2],
-    left: u32,
+    /// Parts that may still be looked at anew.
+    patience: u32,
     /// Whether a part could not be followed.
     pub(super) lost: bool,
     pub(super) turns: Turns,
@@ -59,7 +60,7 @@ pub(super) struct Search<'a, L: Line> {
 impl<'a, L: Line> Search<'a, L> {
     /// Begins with the sign and the largest value before the step.
     pub(super) fn new(line: &'a mut L, output: usize, (sign, largest): (f64, f64)) -> Search<'a, L> {
-        Search { line, output, sign, largest, known: 0.0, rested: [0.0; 2], left: PATIENCE, lost: false, turns: Turns::default() }
+        Search { line, output, sign, largest, known: 0.0, rested: [0.0; 2], patience: PATIENCE, lost: false, turns: Turns::default() }
     }
 
     /// Looks at the step by the polynomials of its samples.
@@ -143,6 +144,7 @@ impl<'a, L: Line> Search<'a, L> {
         (self.sign, self.known, self.rested) = (sign, at, [at; 2]);
     }
 
+    /// The quantity has been zero to rounding up to there.
     fn rest(&mut self, to: f64) {
         self.rested[1] = to;
     }
@@ -151,11 +153,11 @@ impl<'a, L: Line> Search<'a, L> {
     fn closer(&mut self, [from, to]: [f64; 2]) {
         let middle = from + CUT * (to - from);
         let short = to - from <= 4.0 * self.line.resolution() || middle <= from || middle >= to;
-        if short || self.left == 0 || [from, middle, to].into_iter().all(|tau| self.rests(tau)) {
+        if short || self.patience == 0 || [from, middle, to].into_iter().all(|tau| self.rests(tau)) {
             return self.by_its_end([from, to]);
         }
         for [a, b] in [[from, middle], [middle, to]] {
-            self.left = self.left.saturating_sub(1);
+            self.patience = self.patience.saturating_sub(1);
             let mut proxies = Proxies::sparing(FAILING, self.output + 1);
             let mut pieces = proxies.pieces(&mut Window { line: self.line, from: a }, &[self.output], b - a);
             if proxies.lost().contains(&self.output) {
@@ -170,7 +172,7 @@ impl<'a, L: Line> Search<'a, L> {
         }
     }
 
-    /// A part that no polynomial says anything of: an instant, or what is rounding within a billionth of its values.
+    /// A part that no polynomial says anything of: an instant, or values that are not smooth for their rounding.
     fn by_its_end(&mut self, [from, to]: [f64; 2]) {
         let sign = self.sign_at(to);
         self.lost |= to - from > SHORT * self.line.length() && (sign != 0.0 || !self.rests(from));
