@@ -1,17 +1,19 @@
 //! Least, greatest and mean values of sampled quantities over an axis of any kind.
 
-use super::bracketed;
-use super::crossings::{self, Bracket};
+use super::peaks::Peaks;
 use crate::dataset::{Extreme, Overall};
-use crate::proxies::proxy::{Piece, Proxies, Source};
+use crate::proxies::proxy::{Proxies, Source};
 
-/// Share of the range by which a later value must be better: of equal ones the first counts.
+/// Share by which a later value must be better: of equal ones the first counts.
 const TIE: f64 = 1e-13;
+
+/// Parts of a quantity that may be sampled anew at once: a place of a mechanism is costly.
+const PATIENCE: u32 = 32;
 
 /// Quantities over an axis; column k + 1 is quantity k.
 #[derive(Clone, Debug)]
 pub(crate) struct Course {
-    list: Vec<Extreme>,
+    list: Vec<Peaks>,
     /// Integral, and length of what has a piece.
     integrals: Vec<[f64; 2]>,
     span: f64,
@@ -21,27 +23,13 @@ pub(crate) struct Course {
 impl Course {
     /// For so many quantities.
     pub(crate) fn new(count: usize, proxies: Proxies) -> Course {
-        let none = |k: usize| Extreme { column: k + 1, min: f64::INFINITY, max: f64::NEG_INFINITY, ..Extreme::default() };
-        Course { list: (0..count).map(none).collect(), integrals: vec![[0.0; 2]; count], span: 0.0, proxies }
+        let list = (0..count).map(|k| Peaks::new(k + 1, TIE, PATIENCE)).collect();
+        Course { list, integrals: vec![[0.0; 2]; count], span: 0.0, proxies }
     }
 
     /// Takes the value of a quantity at a place of the axis.
     pub(crate) fn offer(&mut self, k: usize, place: f64, value: f64) {
-        let e = &mut self.list[k];
-        if !value.is_finite() {
-            return;
-        }
-        if e.min > e.max {
-            *e = Extreme { column: e.column, min: value, t_min: place, max: value, t_max: place };
-            return;
-        }
-        let margin = TIE * (e.max - e.min) + 4.0 * f64::EPSILON * value.abs();
-        if value < e.min - margin {
-            (e.min, e.t_min) = (value, place);
-        }
-        if value > e.max + margin {
-            (e.max, e.t_max) = (value, place);
-        }
+        self.list[k].offer(place, value);
     }
 
     /// Takes a stretch of length h; `at` is the place on the axis of what is tau from its beginning.
@@ -53,27 +41,8 @@ impl Course {
             let [integral, length] = &mut self.integrals[piece.of];
             *integral += width * piece.row.iter().sum::<f64>() / piece.row.len() as f64;
             *length += width;
-            self.piece(&piece, source, at);
+            self.list[piece.of].piece(&piece, source, at);
         }
-    }
-
-    fn piece(&mut self, piece: &Piece, source: &mut dyn Source, at: &dyn Fn(f64) -> f64) {
-        let tau = |u: f64| piece.from + (piece.to - piece.from) * u;
-        let (first, last) = (piece.row[0], piece.row[piece.row.len() - 1]);
-        self.offer(piece.of, at(piece.from), first);
-        let row = crossings::derivative(&piece.row);
-        let mut sign = 0.0;
-        for Bracket { from, to, .. } in crossings::crossings(&row, 0.0, &mut sign) {
-            let mut slope = |u: f64| crossings::value(&row, u);
-            let ends = [slope(from), slope(to)];
-            let u = if from < to { bracketed(&mut slope, (from, ends[0]), (to, ends[1])) } else { from };
-            let (rough, e) = (crossings::value(&piece.row, u), &self.list[piece.of]);
-            if rough < e.min || rough > e.max {
-                let value = source.sample(tau(u))[piece.of];
-                self.offer(piece.of, at(tau(u)), value);
-            }
-        }
-        self.offer(piece.of, at(piece.to), last);
     }
 
     fn is_lost(&self, k: usize) -> bool {
@@ -87,7 +56,7 @@ impl Course {
 
     /// Extremes of what could be followed everywhere.
     pub(crate) fn found(&self) -> Vec<Extreme> {
-        self.list.iter().filter(|e| e.min <= e.max && !self.is_lost(e.column - 1)).cloned().collect()
+        self.list.iter().map(|peaks| &peaks.found).filter(|e| e.min <= e.max && !self.is_lost(e.column - 1)).cloned().collect()
     }
 
     /// Integrals, with these values at the two ends.

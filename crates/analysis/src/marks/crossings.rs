@@ -145,7 +145,8 @@ pub fn integral(row: &[f64], width: f64) -> Vec<f64> {
     std::iter::once(0.0).chain(sums).collect()
 }
 
-fn halves(mut row: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+/// Coefficients over both halves.
+pub(super) fn halves(mut row: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
     let n = row.len();
     let mut left = Vec::with_capacity(n);
     for level in 0..n {

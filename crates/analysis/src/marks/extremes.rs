@@ -1,6 +1,6 @@
 //! Least and greatest values of a motion, with their instants, and its means.
 //!
-//! Candidates are both ends of every step (so both sides of every jump) and the zeros of the derivative inside. A step whose Σ |c_k| h^k cannot exceed
+//! Candidates are both ends of every step (so both sides of every jump) and the zeros of the derivative inside ([`super::peaks`]). A step whose Σ |c_k| h^k cannot exceed
 //! what was found is passed over. Of values that differ by less than the tolerance times the range the first one counts: a periodic motion names its
 //! first peak, not the one that rounding favours.
 //!
@@ -8,14 +8,12 @@
 //! times its length of every other piece. A jump has no length.
 
 use super::crossings::{self, Bracket};
-use super::{Along, bracketed, unknown};
+use super::peaks::{PATIENCE, Peaks};
+use super::{Along, bracketed};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
 use crate::proxies::proxy::{Piece, Proxies};
 use algebra::sum::two_sum;
-
-/// Error of a piece relative to its variation, with room to spare.
-const ROUGH: f64 = 1e-9;
 
 /// Whether the slope of Σ c_k τ^k keeps its sign: |c_1| > Σ_{k>1} k |c_k| h^(k-1).
 fn surely_monotone(c: &[f64], h: f64) -> bool {
@@ -35,7 +33,7 @@ pub enum Sought {
 /// Collects extremes of columns.
 #[derive(Clone, Debug)]
 pub struct Extremes {
-    list: Vec<Extreme>,
+    list: Vec<Peaks>,
     /// For each column the output and, when it is one, the state.
     sources: Vec<(usize, Option<usize>)>,
     proxies: Proxies,
@@ -46,8 +44,6 @@ pub struct Extremes {
     /// Earliest instant of each column with its value.
     first: Vec<(f64, f64)>,
     last: Vec<f64>,
-    /// Share of the range by which a later value must be better.
-    tie: f64,
     /// What is wanted of each column.
     sought: Vec<Sought>,
 }
@@ -60,14 +56,13 @@ impl Extremes {
     /// For these outputs of a system.
     pub fn new<S: System + ?Sized>(system: &S, chosen: &[usize], tolerance: f64) -> Extremes {
         Extremes {
-            list: unknown(chosen.len()),
+            list: (0..chosen.len()).map(|j| Peaks::new(j + 1, tolerance.min(TIE), PATIENCE)).collect(),
             sources: chosen.iter().map(|&i| (i, system.state_of(i))).collect(),
             proxies: Proxies::default(),
             integrals: vec![[0.0; 3]; chosen.len()],
             span: 0.0,
             first: vec![(f64::INFINITY, f64::NAN); chosen.len()],
             last: vec![f64::NAN; chosen.len()],
-            tie: tolerance.min(TIE),
             sought: vec![Sought::Extremes; chosen.len()],
         }
     }
@@ -85,20 +80,15 @@ impl Extremes {
     }
 
     fn offer(&mut self, j: usize, t: f64, value: f64) {
+        self.begins(j, t, value);
+        if let Some(peaks) = self.list.get_mut(j) {
+            peaks.offer(t, value);
+        }
+    }
+
+    fn begins(&mut self, j: usize, t: f64, value: f64) {
         if t < self.first[j].0 {
             self.first[j] = (t, value);
-        }
-        let Some(e) = self.list.get_mut(j).filter(|_| value.is_finite()) else { return };
-        if e.min > e.max {
-            *e = Extreme { min: value, t_min: t, max: value, t_max: t, ..e.clone() };
-            return;
-        }
-        let margin = self.tie * (e.max - e.min) + 4.0 * f64::EPSILON * value.abs();
-        if value < e.min - margin {
-            (e.min, e.t_min) = (value, t);
-        }
-        if value > e.max + margin {
-            (e.max, e.t_max) = (value, t);
         }
     }
 
@@ -135,7 +125,7 @@ impl Extremes {
         }
         let reach = c[1..].iter().rev().fold(0.0, |sum, c_k| (sum + c_k.abs()) * h);
         let first = along.state(state, 0.0);
-        if first + reach <= self.list[j].max && first - reach >= self.list[j].min {
+        if self.list[j].holds([first - reach, first + reach]) {
             return;
         }
         if c.len() > 1 && surely_monotone(&c, h) {
@@ -169,35 +159,9 @@ impl Extremes {
         if self.sought[j] == Sought::Mean {
             return;
         }
-        let (low, high) = piece.row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), b| (l.min(*b), h.max(*b)));
-        // the polynomial lies in the hull of its coefficients
-        if high <= self.list[j].max && low >= self.list[j].min {
-            return;
-        }
-        let row = crossings::derivative(&piece.row);
-        let at = |u: f64| piece.from + (piece.to - piece.from) * u;
-        self.offer(j, along.time(piece.from), piece.row[0]);
-        let mut sign = 0.0;
-        for Bracket { from, to, .. } in crossings::crossings(&row, 0.0, &mut sign) {
-            let mut slope = |u: f64| crossings::value(&row, u);
-            let u = if from < to {
-                {
-                    let ends = [slope(from), slope(to)];
-                    bracketed(&mut slope, (from, ends[0]), (to, ends[1]))
-                }
-            } else {
-                from
-            };
-            // what its polynomial leaves well inside of what was found cannot be more
-            let (rough, off, known) = (crossings::value(&piece.row, u), ROUGH * (high - low), &self.list[j]);
-            if known.min <= known.max && rough - off >= known.min && rough + off <= known.max {
-                continue;
-            }
-            let tau = at(u);
-            let value = along.outputs(tau)[piece.of];
-            self.offer(j, along.time(tau), value);
-        }
-        self.offer(j, along.time(piece.to), piece.row[piece.row.len() - 1]);
+        let clock = along.clock();
+        self.begins(j, clock(piece.from), piece.row[0]);
+        self.list[j].piece(piece, along, &clock);
     }
 
     fn add(&mut self, j: usize, length: f64, area: f64) {
@@ -213,7 +177,7 @@ impl Extremes {
 
     /// What was found, in the order of the columns; columns without a finite value are left out.
     pub fn found(&self) -> Vec<Extreme> {
-        self.list.iter().filter(|e| e.min <= e.max).cloned().collect()
+        self.list.iter().map(|peaks| &peaks.found).filter(|e| e.min <= e.max).cloned().collect()
     }
 
     /// Integrals and last values of the columns. An integral is no number where a part of the motion is missing.
@@ -234,6 +198,6 @@ impl Extremes {
 
     /// Rows of outputs sampled.
     pub fn samples(&self) -> u64 {
-        self.proxies.samples()
+        self.proxies.samples() + self.list.iter().map(Peaks::samples).sum::<u64>()
     }
 }

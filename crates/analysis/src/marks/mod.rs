@@ -11,6 +11,7 @@ pub(crate) mod course;
 pub mod crossings;
 pub mod extremes;
 pub mod named;
+mod peaks;
 pub mod pushes;
 mod search;
 pub mod windows;
@@ -22,7 +23,7 @@ use program::Behind;
 
 use crate::integrate::Step;
 use crate::proxies::proxy::Source;
-use crate::{Fault, GuardKind, System, dataset::Extreme};
+use crate::{Fault, GuardKind, System};
 use bridge::Bridge;
 
 /// Samples of a step that are kept: those of its whole length.
@@ -72,16 +73,18 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
 
     /// The place in the step of what is `tau` from the start of the part; its end exactly.
     fn place(&self, tau: f64) -> f64 {
-        match self.part {
-            None => tau,
-            Some([_, to]) if tau == self.length => to,
-            Some([from, _]) => from + tau,
-        }
+        place(self.part, self.length, tau)
     }
 
     /// Time at `tau` after the start.
     pub fn time(&self, tau: f64) -> f64 {
         self.step.instant(self.place(tau)).high
+    }
+
+    /// Time of what is `tau` after the start, apart from what is sampled.
+    fn clock(&self) -> impl Fn(f64) -> f64 + use<'a, S> {
+        let (step, part, length) = (self.step, self.part, self.length);
+        move |tau| step.instant(place(part, length, tau)).high
     }
 
     /// All outputs at `tau`; not numbers where they have no value.
@@ -238,6 +241,10 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
         row
     }
 
+    fn value(&mut self, tau: f64, of: usize) -> f64 {
+        self.outputs(tau)[of]
+    }
+
     fn rounding(&mut self, tau: f64) -> Vec<f64> {
         self.rounding_at(self.place(tau))
     }
@@ -248,6 +255,15 @@ impl<S: System + ?Sized> Source for Along<'_, S> {
 
     fn resolution(&self) -> f64 {
         4.0 * f64::EPSILON * self.time(self.length).abs()
+    }
+}
+
+/// The place in a step of what is `tau` from the start of the part; the end of the part exactly.
+fn place(part: Option<[f64; 2]>, length: f64, tau: f64) -> f64 {
+    match part {
+        None => tau,
+        Some([_, to]) if tau == length => to,
+        Some([from, _]) => from + tau,
     }
 }
 
@@ -306,12 +322,6 @@ pub(crate) fn bracketed(f: &mut dyn FnMut(f64) -> f64, (mut a, mut fa): (f64, f6
         kept = Some(1 - end);
     }
     if fa.abs() < fb.abs() { a } else { b }
-}
-
-/// Empty extremes of the columns with these indices.
-pub(crate) fn unknown(columns: usize) -> Vec<Extreme> {
-    let none = Extreme { min: f64::INFINITY, max: f64::NEG_INFINITY, ..Extreme::default() };
-    (0..columns).map(|j| Extreme { column: j + 1, ..none.clone() }).collect()
 }
 
 #[cfg(test)]

@@ -6,9 +6,7 @@
 
 use super::crossings::{self, Stretch};
 use super::{Line, bracketed};
-use crate::proxies::proxy::{ERROR, Piece, Proxies, ROUNDING, Source};
-use program::Behind;
-use std::sync::Arc;
+use crate::proxies::proxy::{ERROR, Piece, Proxies, ROUNDING, Window};
 
 /// Values below this share of the largest so far are zero, where their rounding is not known or does not die out: a ball lies where its first impacts left it.
 const ZERO: f64 = 16.0 * f64::EPSILON;
@@ -159,7 +157,7 @@ impl<'a, L: Line> Search<'a, L> {
         for [a, b] in [[from, middle], [middle, to]] {
             self.patience = self.patience.saturating_sub(1);
             let mut proxies = Proxies::sparing(FAILING, self.output + 1);
-            let mut pieces = proxies.pieces(&mut Window { line: self.line, from: a }, &[self.output], b - a);
+            let mut pieces = proxies.pieces(&mut Window::new(self.line, a), &[self.output], b - a);
             if proxies.lost().contains(&self.output) {
                 self.by_its_end([a, b]);
                 continue;
@@ -228,26 +226,5 @@ impl<'a, L: Line> Search<'a, L> {
             }
         }
         rough
-    }
-}
-
-/// A part of a line.
-struct Window<'a, L: Line> {
-    line: &'a mut L,
-    from: f64,
-}
-
-impl<L: Line> Source for Window<'_, L> {
-    fn sample(&mut self, tau: f64) -> Vec<f64> {
-        self.line.sample(self.from + tau)
-    }
-    fn rounding(&mut self, tau: f64) -> Vec<f64> {
-        self.line.rounding(self.from + tau)
-    }
-    fn behind(&mut self) -> (usize, Arc<Behind>) {
-        self.line.behind()
-    }
-    fn resolution(&self) -> f64 {
-        self.line.resolution()
     }
 }

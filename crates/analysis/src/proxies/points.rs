@@ -80,3 +80,8 @@ pub(super) fn spread(f: &[f64]) -> f64 {
     let (low, high) = f.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
     high - low
 }
+
+/// Largest magnitude.
+pub(super) fn size(f: &[f64]) -> f64 {
+    f.iter().fold(0.0, |largest, v| largest.max(v.abs()))
+}

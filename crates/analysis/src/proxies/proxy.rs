@@ -14,7 +14,7 @@ use std::sync::{Arc, LazyLock};
 use program::Behind;
 
 use super::behind::Look;
-use super::points::{Points, spread};
+use super::points::{Points, size, spread};
 
 /// Error relative to the variation.
 pub(crate) const ERROR: f64 = 1e-11;
@@ -30,6 +30,10 @@ const EARNED: i64 = 32;
 pub(crate) trait Source {
     /// All quantities at tau after the start of the step, then the record of the operations behind them.
     fn sample(&mut self, tau: f64) -> Vec<f64>;
+    /// One quantity at tau.
+    fn value(&mut self, tau: f64, of: usize) -> f64 {
+        self.sample(tau)[of]
+    }
     /// Rounding of such a row at tau; empty when unknown.
     fn rounding(&mut self, tau: f64) -> Vec<f64>;
     /// Number of quantities, and the operations behind them with places in the record.
@@ -45,14 +49,45 @@ impl<F: FnMut(f64) -> Vec<f64>> Source for Values<F> {
     fn sample(&mut self, tau: f64) -> Vec<f64> {
         self.0(tau)
     }
-    fn rounding(&mut self, _: f64) -> Vec<f64> {
-        Vec::new()
+    fn rounding(&mut self, tau: f64) -> Vec<f64> {
+        self.sample(tau).iter().map(|v| f64::EPSILON * v.abs()).collect()
     }
     fn behind(&mut self) -> (usize, Arc<Behind>) {
         (0, Arc::default())
     }
     fn resolution(&self) -> f64 {
         0.0
+    }
+}
+
+/// What is sampled, from a place on.
+pub(crate) struct Window<'a, S: ?Sized> {
+    source: &'a mut S,
+    from: f64,
+}
+
+impl<'a, S: Source + ?Sized> Window<'a, S> {
+    /// From this place on.
+    pub(crate) fn new(source: &'a mut S, from: f64) -> Window<'a, S> {
+        Window { source, from }
+    }
+}
+
+impl<S: Source + ?Sized> Source for Window<'_, S> {
+    fn sample(&mut self, tau: f64) -> Vec<f64> {
+        self.source.sample(self.from + tau)
+    }
+    fn value(&mut self, tau: f64, of: usize) -> f64 {
+        self.source.value(self.from + tau, of)
+    }
+    fn rounding(&mut self, tau: f64) -> Vec<f64> {
+        self.source.rounding(self.from + tau)
+    }
+    fn behind(&mut self) -> (usize, Arc<Behind>) {
+        self.source.behind()
+    }
+    fn resolution(&self) -> f64 {
+        self.source.resolution()
     }
 }
 
@@ -67,6 +102,8 @@ pub struct Piece {
     pub to: f64,
     /// Bernstein's coefficients over the part; two when it is a line or an instant.
     pub row: Vec<f64>,
+    /// What its values may be off by.
+    pub error: f64,
 }
 
 /// Makes proxies; what it remembers is that of one motion.
@@ -191,10 +228,17 @@ impl Proxies {
         let mut look = Look::new(points, rows, behind, *first, ERROR);
         part.left.retain(|&w| {
             let f: Vec<f64> = rows.iter().map(|row| row[w]).collect();
-            let exact = f.iter().all(|v| v.is_finite()) && points.tail(&f) <= (ERROR * spread(&f)).max(noise(w));
+            let (tail, small) = (points.tail(&f), ERROR * spread(&f));
+            let exact = f.iter().all(|v| v.is_finite()) && tail <= small.max(noise(w));
             let seen = exact && behind.of.get(w).is_none_or(|nodes| nodes.iter().all(|n| look.sees(*n, &noise)));
             if seen {
-                out.push(Piece { of: w, from: part.from, to: part.to, row: points.row(&f) });
+                out.push(Piece {
+                    of: w,
+                    from: part.from,
+                    to: part.to,
+                    row: points.row(&f),
+                    error: tail.max(small).max(ROUNDING * size(&f)),
+                });
             }
             !seen
         });
@@ -217,7 +261,7 @@ impl Proxies {
         for &w in &part.left {
             let ends = vec![rows[0][w], rows[rows.len() - 1][w]];
             if ends.iter().all(|v| v.is_finite()) {
-                out.push(Piece { of: w, from: part.from, to: part.to, row: ends });
+                out.push(Piece { of: w, from: part.from, to: part.to, row: ends, error: 0.0 });
             } else {
                 self.lost.insert(w);
             }
@@ -236,7 +280,7 @@ impl Proxies {
             lost.insert(w);
             let f: Vec<f64> = rows.iter().map(|row| row[w]).collect();
             if f.iter().all(|v| v.is_finite()) {
-                out.push(Piece { of: w, from: part.from, to: part.to, row: points.row(&f) });
+                out.push(Piece { of: w, from: part.from, to: part.to, row: points.row(&f), error: points.tail(&f) });
             }
             false
         });

@@ -97,7 +97,16 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
         let system = RestSystem::new(equations, parts, parameters)?.anchored(equations, start)?;
         wandering = system.wandering();
         let angles = equations.coordinates.iter().map(|c| c.unit == "rad").collect();
-        let mut search = Search { equations, system, closed, angles, start: start[..n].to_vec(), found: &mut found, towards: Vec::new() };
+        let mut search = Search {
+            equations,
+            system,
+            closed,
+            angles,
+            start: start[..n].to_vec(),
+            reach: options.reach(&start[..n]),
+            found: &mut found,
+            towards: Vec::new(),
+        };
         search.run(&start[..n], options)?;
         search.stand_on();
         for other in search.towards.into_iter().filter(|_| all == Choices::Small) {
@@ -184,6 +193,8 @@ struct Search<'s> {
     closed: Vec<usize>,
     angles: Vec<bool>,
     start: Vec<f64>,
+    /// How far from zero places are sought.
+    reach: Vec<f64>,
     found: &'s mut Places,
     /// Choices of closed contacts that follow from places that do not count.
     towards: Vec<Vec<usize>>,
@@ -339,7 +350,7 @@ impl Search<'_> {
         for k in 0..self.found.list.len() {
             let p = &self.found.list[k];
             let [a, b] = p.flat.clone().unwrap_or_else(|| [p.q.clone(), p.q.clone()]);
-            let near = |end: &Vec<f64>| self.system.sizes().same([end, q], &self.start, search::BESIDE);
+            let near = |end: &Vec<f64>| self.system.sizes().same([end, q], &self.reach, search::BESIDE);
             if p.closed != self.closed || !near(&a) && !near(&b) {
                 continue;
             }

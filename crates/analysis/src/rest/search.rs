@@ -91,6 +91,19 @@ pub struct Range {
     pub to: f64,
 }
 
+impl Equilibrium {
+    /// How far from zero each coordinate is sought at least: what a machine at zero compares with.
+    pub(crate) fn reach(&self, start: &[f64]) -> Vec<f64> {
+        let ends = self.over.iter().map(|range| {
+            let mut q = vec![0.0; start.len()];
+            q[range.coordinate] = range.from.abs().max(range.to.abs());
+            q
+        });
+        let farther = |reach: Vec<f64>, q: Vec<f64>| reach.iter().zip(q).map(|(a, b)| a.abs().max(b.abs())).collect();
+        self.guesses.iter().filter(|g| g.len() == start.len()).cloned().chain(ends).fold(start.to_vec(), farther)
+    }
+}
+
 /// Values of the only coordinate at which the sign of its force is looked at.
 const SAMPLES: usize = 4000;
 

@@ -86,7 +86,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         along = search.along(range, start);
         turned(&mut along, coordinates, range.coordinate);
     }
-    let sizes = search.sizes.clone();
+    let (sizes, reach) = (search.sizes.clone(), options.reach(&own));
     let (mut flat, mut poles): (Vec<[Vec<f64>; 2]>, Vec<Rest>) = Default::default();
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = still(start, n);
@@ -95,7 +95,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         match search.sought(x.clone()) {
             Ok(rest) if known(&found, &rest) || known(&poles, &rest) => {}
             Ok(rest) if search.is_pole(&[&rest.q, &x[n..]].concat()) => poles.push(rest),
-            Ok(rest) => match one(&mut search, &mut flat, &rest, start) {
+            Ok(rest) => match one(&mut search, &mut flat, &rest, (start, &reach)) {
                 Some((k, middle)) => found[k] = middle,
                 None => found.push(rest),
             },
@@ -150,14 +150,13 @@ fn one<S: Statics + ?Sized>(
     search: &mut Search<'_, S>,
     flat: &mut Vec<[Vec<f64>; 2]>,
     rest: &Rest,
-    start: &[f64],
+    (start, reach): (&[f64], &[f64]),
 ) -> Option<(usize, Rest)> {
-    let n = rest.q.len();
-    let x = still(start, n);
+    let x = still(start, rest.q.len());
     let sizes = search.sizes.clone();
     let joined = flat.iter_mut().enumerate().find_map(|(k, ends)| {
         let [a, b] = &*ends;
-        if !sizes.same([a, &rest.q], &start[..n], BESIDE) && !sizes.same([b, &rest.q], &start[..n], BESIDE) {
+        if !sizes.same([a, &rest.q], reach, BESIDE) && !sizes.same([b, &rest.q], reach, BESIDE) {
             return None;
         }
         search.between([a, &rest.q], &x)?;

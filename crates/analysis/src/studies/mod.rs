@@ -11,6 +11,7 @@ pub mod amplitudes;
 pub mod average;
 mod balance;
 pub mod claims;
+mod clusters;
 pub mod continuation;
 pub mod cycle;
 pub mod equilibrium;

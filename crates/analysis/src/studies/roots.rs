@@ -14,6 +14,7 @@
 //! *Source*: F. Tisseur, K. Meerbergen, The Quadratic Eigenvalue Problem, SIAM Review 43 (2001), 3.4 on singular coefficients.
 
 use super::amplitudes::SINGULAR;
+use super::clusters::{Cluster, clusters, sine};
 use super::free_motion;
 use super::polish::polish;
 use super::shapes::{Complex, Kind, Mode, pairs};
@@ -30,6 +31,10 @@ const LOST: f64 = 1e-10;
 const SPLIT: f64 = 1e-6;
 /// Share within which two polished roots with shapes alike are one.
 const ONE: f64 = 1e-9;
+/// Sine of the angle between their shapes.
+const PARALLEL: f64 = 3e-5;
+/// Share of a root that the mean of a cluster leaves unknown.
+const MEAN: f64 = 1e-12;
 /// Share within which roots that are equal come out of the eigensolver: the root of its rounding.
 const BESIDE: f64 = 1e-6;
 /// Share of a root that Newton's method with residuals in twice the digits leaves unknown.
@@ -164,18 +169,28 @@ pub(super) fn roots(system: &Matrices, basis: &Basis, values: Option<&Vec<f64>>)
     let slow = |v: &Complex| !free.pivots.is_empty() && elementary::hypot(v.0, v.1) <= SPLIT * fastest;
     let mut zeros = free.unresisted(&damping, n);
     let mut doubtful = 0.0_f64;
+    let shapes: Vec<Vec<Complex>> = (0..list.len()).map(|j| basis.expand(&pairs(&found.vector(j)[kept.len()..]))).collect();
+    let mut polished: Vec<Option<(Complex, Vec<Complex>)>> =
+        list.iter().zip(&shapes).map(|(root, shape)| finer(system, *root, shape)).collect();
+    // what is zero with the free motions is no cluster of its own
+    let clusters: Vec<Cluster> =
+        clusters(&list, &shapes, fastest).into_iter().filter(|c| !slow(&c.root) && !told_apart(c, &polished)).collect();
     // the slowest come first
     for (j, root) in list.iter().enumerate() {
         if zeros > 0 && slow(root) {
             zeros -= 1;
             continue;
         }
+        if let Some(cluster) = clusters.iter().find(|c| c.members.contains(&j)) {
+            if cluster.root.1 >= 0.0 {
+                modes.push(moving(settled_root(cluster.root, MEAN), cluster.shape.clone()));
+            }
+            continue;
+        }
         if root.1 < 0.0 {
             continue;
         }
-        let rates: Vec<Complex> = found.vector(j)[kept.len()..].iter().map(|z| (z.re, z.im)).collect();
-        let shape = basis.expand(&rates);
-        let (root, shape) = match polish(system, *root, &shape) {
+        let (root, shape) = match polished[j].take() {
             Some(better) => better,
             // what more than the free motions is zero; rounding splits that to both sides of zero, and repeated roots stand beside each other
             None if slow(root) && !is_repeated(&list, j) => {
@@ -184,7 +199,7 @@ pub(super) fn roots(system: &Matrices, basis: &Basis, values: Option<&Vec<f64>>)
             }
             // the fastest root's rounding is larger than this one
             None if elementary::hypot(root.0, root.1) <= LOST * fastest => return Err(lost()),
-            None => (*root, shape),
+            None => (*root, shapes[j].clone()),
         };
         // a simple real root stays real under any correction
         let root = (root.0, if list[j].1 == 0.0 { 0.0 } else { root.1 });
@@ -195,6 +210,23 @@ pub(super) fn roots(system: &Matrices, basis: &Basis, values: Option<&Vec<f64>>)
         modes.push(moving(root, shape));
     }
     Ok((modes, (doubtful > 0.0).then(|| unclear(doubtful))))
+}
+
+/// The root with its shape to the last digits; none of one with a negative imaginary part, which its conjugate stands for.
+fn finer(system: &Matrices, root: Complex, shape: &[Complex]) -> Option<(Complex, Vec<Complex>)> {
+    (root.1 >= 0.0).then(|| polish(system, root, shape)).flatten()
+}
+
+/// Whether Newton's method has found as many roots in a cluster as it has members.
+fn told_apart(cluster: &Cluster, polished: &[Option<(Complex, Vec<Complex>)>]) -> bool {
+    let is_real = cluster.root.1 == 0.0;
+    // the conjugate of a root about a real one is a member too
+    let with_conjugate = |root: Complex| [Some(root), (is_real && root.1 != 0.0).then_some((root.0, -root.1))];
+    let found: Vec<Complex> =
+        cluster.members.iter().filter_map(|j| polished[*j].as_ref()).flat_map(|p| with_conjugate(p.0)).flatten().collect();
+    let near = |a: &Complex, b: &Complex| elementary::hypot(a.0 - b.0, a.1 - b.1) <= ONE * elementary::hypot(a.0, a.1);
+    let distinct = (0..found.len()).all(|i| (0..i).all(|j| !near(&found[i], &found[j])));
+    distinct && found.len() == cluster.members.len()
 }
 
 /// What is said of roots that are taken for zeros.
@@ -216,11 +248,7 @@ fn is_repeated(list: &[Complex], j: usize) -> bool {
 /// Whether a root with its shape stands already.
 fn is_one((root, shape): (&Complex, &[Complex]), mode: &Mode) -> bool {
     let near = elementary::hypot(root.0 - mode.root.0, root.1 - mode.root.1) <= ONE * elementary::hypot(root.0, root.1);
-    let square = |x: &[Complex]| x.iter().map(|z| z.0 * z.0 + z.1 * z.1).sum::<f64>();
-    // xᴴ y
-    let across =
-        shape.iter().zip(&mode.shape).fold((0.0, 0.0), |(re, im), (x, y)| (re + x.0 * y.0 + x.1 * y.1, im + x.0 * y.1 - x.1 * y.0));
-    near && across.0 * across.0 + across.1 * across.1 >= (1.0 - ONE) * square(shape) * square(&mode.shape)
+    near && sine(shape, &mode.shape) <= PARALLEL
 }
 
 /// A free motion.

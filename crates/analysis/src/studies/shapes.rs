@@ -195,13 +195,38 @@ pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
     }
     // equal roots are computed apart by rounding
     let same = |a: &Mode, b: &Mode| a.omega > 0.0 && elementary::hypot(a.root.0 - b.root.0, a.root.1 - b.root.1) <= 1e-9 * a.omega;
-    for (i, _) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
-        notes.push(Text::new(
-            format!("modes {} and {} have one frequency: any combination of their shapes is a shape", i + 1, i + 2),
-            format!("у форм {} и {} общая частота: любая их комбинация тоже форма", i + 1, i + 2),
-        ));
+    let mut from = 0;
+    while from < list.len() {
+        let own = &list[from];
+        let is_own = |m: &&Mode| m.root == own.root && m.omega > 0.0 && m.shape == own.shape;
+        let count = list[from..].iter().take_while(is_own).count().max(1);
+        if count > 1 {
+            notes.push(defective([from + 1, from + count], own.root));
+        }
+        from += count;
+        if list.get(from).is_some_and(|next| same(&list[from - 1], next)) {
+            notes.push(Text::new(
+                format!("modes {from} and {} have one frequency: any combination of their shapes is a shape", from + 1),
+                format!("у форм {from} и {} общая частота: любая их комбинация тоже форма", from + 1),
+            ));
+        }
     }
     notes
+}
+
+/// What is said of a root of several modes with one shape.
+fn defective([first, last]: [usize; 2], root: Complex) -> Text {
+    let power = last - first;
+    let t = if power == 1 { "t".to_owned() } else { format!("t^{power}") };
+    let (en, ru) = if root.0 == 0.0 {
+        (format!(": the motion grows as {t}"), format!(": движение растёт как {t}"))
+    } else {
+        (format!(", the motion has terms up to {t} exp(λ t)"), format!(", в движение входят слагаемые до {t} exp(λ t)"))
+    };
+    Text::new(
+        format!("modes {first} to {last} have one root and one shape (a multiple root){en}"),
+        format!("у форм с {first} по {last} общие корень и форма (кратный корень){ru}"),
+    )
 }
 
 /// Every motion must have inertia.

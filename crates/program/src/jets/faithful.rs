@@ -39,6 +39,15 @@ pub(crate) struct Watched {
 }
 
 impl Watched {
+    /// Whether the result is never negative.
+    fn is_positive(&self) -> bool {
+        match self.curve {
+            Curve::Root => true,
+            Curve::Power(p) => p.fract() != 0.0,
+            _ => false,
+        }
+    }
+
     pub(super) fn is_power(&self) -> bool {
         matches!(self.curve, Curve::Root | Curve::Power(_))
     }
@@ -52,6 +61,8 @@ pub const NEAR: f64 = 0.4;
 pub const NOTHING: f64 = 1e-100;
 /// Deepest halving of a step in one look; a feature still narrower is found by the next one.
 const DEPTH: u32 = 20;
+/// The same of a root or power that passes zero: behind it the step goes on with the wrong sign for this share of it, which moves the motion by its square.
+const DEEP: u32 = 26;
 /// Parts looked at to find the largest value of a function.
 const PARTS: usize = 64;
 /// Looks at one operation.
@@ -143,6 +154,8 @@ impl Watch {
             Curve::Quotient => self.way(rows, b) <= NEAR * rows.row(b)[0].abs(),
             Curve::Root | Curve::Power(_) if is_singular(rows, node) => false,
             Curve::Root | Curve::Power(_) | Curve::Log if way_a <= NEAR * row[0].abs() => true,
+            // of a square both roots are polynomials: the one that passes zero is not the root behind it
+            _ if node.is_positive() && self.way(rows, c) >= rows.row(c)[0] => false,
             Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh if way_a <= 1.0 => true,
             Curve::Asin | Curve::Acos if row[0].abs() + way_a <= 0.9 => true,
             // the singular points of both are at ±i
@@ -344,8 +357,9 @@ fn good_share(node: Watched, whole: Part, allowed: f64) -> f64 {
         if is_good(node, &part, allowed) {
             continue;
         }
-        if part.depth >= DEPTH {
-            return part.left;
+        if part.depth >= if node.is_positive() { DEEP } else { DEPTH } {
+            // behind the zero of a root of a square the next step takes its other side
+            return part.left + if node.is_positive() && part.rows[2][0] > 0.0 { part.width() } else { 0.0 };
         }
         let [left, right] = part.halves();
         parts.push(right);
@@ -361,6 +375,10 @@ fn is_good(node: Watched, part: &Part, allowed: f64) -> bool {
         let turn = 2.0 * std::f64::consts::PI;
         let turns = ((c.low + c.high - f.low - f.high) / (2.0 * turn)).round() * turn;
         f = Range { low: f.low + turns, high: f.high + turns };
+    }
+    // the other root of a square
+    if node.is_positive() && c.low < -allowed {
+        return false;
     }
     let off = (f.high - c.high).max(c.low - f.low);
     off <= allowed || off <= share_beside(node) * f.width() && f.width().is_finite()
@@ -475,5 +493,21 @@ mod tests {
         let mut watch = Watch::new(vec![Watched { curve: Curve::Exp, a: 0, b: 0, c: 1 }], 2);
         assert_eq!(watch.faithful(rows, 3.0, 1e-12, 0.0), 3.0);
         assert_eq!(watch.looks, 0);
+    }
+
+    /// From y = -1/2 on, y² has the root |y|, and its series that of -y.
+    #[test]
+    fn the_root_of_a_square_turns_at_zero() {
+        let mut cells = vec![0.0; 2 * COUNT];
+        cells[..3].copy_from_slice(&[0.25, -1.0, 1.0]);
+        cells[COUNT..COUNT + 2].copy_from_slice(&[0.5, -1.0]);
+        let rows = Rows { cells: &cells, stride: COUNT, count: COUNT };
+        for curve in [Curve::Root, Curve::Power(0.5)] {
+            let mut watch = Watch::new(vec![Watched { curve, a: 0, b: 0, c: 1 }], 2);
+            let h = watch.faithful(rows, 2.5, 1e-13, 0.0);
+            assert!((0.5..0.5 + 1e-6).contains(&h), "{h}");
+            // short of zero nothing is hidden
+            assert_eq!(watch.faithful(rows, 0.49, 1e-13, 0.0), 0.49);
+        }
     }
 }

@@ -6,11 +6,11 @@ use program::Behind;
 
 use super::phase::{Phase, modes};
 use super::walk::Walk;
-use crate::System;
 use crate::dataset::{Extreme, Overall};
 use crate::marks::Line;
 use crate::marks::course::Course;
 use crate::proxies::proxy::{Proxies, Source};
+use crate::{Mode, System};
 
 /// Extremes, integrals and last values of the chosen outputs; the names of those that could not be followed everywhere come third.
 pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]) -> (Vec<Extreme>, Vec<Overall>, Vec<String>) {
@@ -37,6 +37,17 @@ pub(super) struct Closed<'c, S: ?Sized> {
     pub(super) walk: Walk<'c>,
 }
 
+impl<S: System + ?Sized> Closed<'_, S> {
+    /// The state `tau` after the start of the phase, and its modes.
+    fn there(&mut self, tau: f64) -> (Vec<f64>, Vec<Mode>) {
+        let t = self.phase.start + tau;
+        let turns = self.phase.form.turns.iter().map(|turn| turn.at(t));
+        let x: Vec<f64> = self.walk.state(tau).into_iter().chain(turns).collect();
+        let modes = modes(self.system, self.phase, t, &x);
+        (x, modes)
+    }
+}
+
 impl<S: System + ?Sized> Line for Closed<'_, S> {
     fn length(&self) -> f64 {
         self.phase.end - self.phase.start
@@ -58,9 +69,7 @@ impl<S: System + ?Sized> Line for Closed<'_, S> {
 impl<S: System + ?Sized> Source for Closed<'_, S> {
     fn sample(&mut self, tau: f64) -> Vec<f64> {
         let (phase, t) = (self.phase, self.phase.start + tau);
-        let turns = phase.form.turns.iter().map(|turn| turn.at(t));
-        let x: Vec<f64> = self.walk.state(tau).into_iter().chain(turns).collect();
-        let modes = modes(self.system, phase, t, &x);
+        let (x, modes) = self.there(tau);
         phase.accelerate(self.system, t, &x);
         let count = self.system.outputs().len();
         let mut row = Vec::new();
@@ -70,8 +79,13 @@ impl<S: System + ?Sized> Source for Closed<'_, S> {
         }
     }
 
-    fn rounding(&mut self, _: f64) -> Vec<f64> {
-        Vec::new()
+    fn rounding(&mut self, tau: f64) -> Vec<f64> {
+        let (x, modes) = self.there(tau);
+        // a closed form is rounded like its value
+        let errors: Vec<f64> = x.iter().map(|v| f64::EPSILON * v.abs()).collect();
+        let mut row = Vec::new();
+        self.system.rounding((self.phase.start + tau, &x), &modes, &errors, &mut row);
+        self.chosen.iter().filter_map(|&i| row.get(i).copied()).collect()
     }
 
     fn behind(&mut self) -> (usize, Arc<Behind>) {
