@@ -23,9 +23,9 @@ const SECTIONS: i32 = 60;
 /// Refines the largest (`sign` 1) or smallest (-1) value of P = |Y|² between `low` and `high`.
 pub fn refine(power: &mut dyn FnMut(f64) -> f64, low: f64, high: f64, sign: f64) -> Peak {
     let mut left = SECTIONS;
-    // golden section sees no more than the root of rounding; the derivative goes on
     let section = golden::narrowest([low, high], &mut |x| sign * power(x), &mut |now| {
         left -= 1;
+        // golden section sees no more than the root of rounding; the derivative goes on
         left >= 0 && now.length() > 1e-6 * now.ends[1].abs()
     });
     let coarse = 0.5 * (section.ends[0] + section.ends[1]);
