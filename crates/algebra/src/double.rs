@@ -22,6 +22,11 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
 }
 
+/// aᵀ b of vectors that have twice the digits themselves.
+pub fn inner(a: &[Double], b: &[Double]) -> Double {
+    a.iter().zip(b).fold(Double::default(), |sum, (x, y)| sum.plus(*x, *y))
+}
+
 impl From<f64> for Double {
     fn from(high: f64) -> Double {
         Double { high, low: 0.0 }

@@ -5,7 +5,7 @@
 //!
 //! Rooms, in order of reading: [`trouble`] (what can be wrong) - [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits), [`lanes`], [`simd`] (several numbers at once, the only files that know wide and pulp) - [`vectors`], [`space`], [`lu`], [`cholesky`], [`qr`],
 //! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`], [`twofold`] - `modes`, [`refine`], [`lanczos`], [`eigen`], `eigenpair`, [`product`], [`certify`], [`polish`] (eigenproblems) -
-//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`], [`sheet`] (what is dear, and many coefficients, over two parameters) - [`bernstein`], [`gauss`], [`simplex`], [`random`], [`arrange`] (lists).
+//! [`divided`], [`expm`] (exponentials) - [`hill`], [`mathieu`] (equations with periodic coefficients), [`surface`], [`sheet`] (what is dear, and many coefficients, over two parameters) - [`bernstein`], [`gauss`], [`golden`], [`simplex`], [`random`], [`arrange`] (lists).
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
@@ -23,6 +23,7 @@ pub mod elementary;
 pub mod expm;
 pub mod factor;
 pub mod gauss;
+pub mod golden;
 pub mod hill;
 mod kernels;
 pub mod lanczos;

@@ -6,7 +6,7 @@
 
 use crate::Trouble;
 use crate::certify::{Certificate, limits};
-use crate::double::Double;
+use crate::double::{Double, inner};
 use crate::modes::{Modes, orient};
 use crate::twofold::{Factor, Twofold};
 
@@ -103,7 +103,7 @@ impl Firm {
         let minus = Double::from(-value);
         let rest: Vec<Double> = stiff.iter().zip(&heavy).map(|(k, m)| k.plus(minus, *m)).collect();
         let solved = self.solve(&rest);
-        let size = |x: &[Double], m: &[Double]| dot(x, m).round().max(0.0).sqrt();
+        let size = |x: &[Double], m: &[Double]| inner(x, m).round().max(0.0).sqrt();
         let bound = size(&solved, &mass.product(&solved)) / size(shape, &heavy);
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
@@ -118,12 +118,8 @@ impl Firm {
     }
 }
 
-fn dot(a: &[Double], b: &[Double]) -> Double {
-    a.iter().zip(b).fold(Double::default(), |sum, (x, y)| sum.plus(*x, *y))
-}
-
 fn symmetric(a: &[Vec<Double>], b: &[Vec<Double>], i: usize, j: usize) -> Double {
-    Double::from(0.5).times(dot(&a[i], &b[j]).sum(dot(&a[j], &b[i])))
+    Double::from(0.5).times(inner(&a[i], &b[j]).sum(inner(&a[j], &b[i])))
 }
 
 /// L of A = L Lᵀ; none when A is not positive definite.

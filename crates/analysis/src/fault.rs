@@ -9,6 +9,7 @@ use words::{Message, Notice, Text};
 mod assembly;
 pub mod bends;
 mod change_points;
+pub mod codes;
 pub mod connections;
 pub mod contacts;
 pub mod loads;
@@ -273,14 +274,14 @@ impl Fault {
 
     /// Whether coefficients of that order exceed the range of numbers; a lower order may not.
     pub(crate) fn is_overflow(&self) -> bool {
-        matches!(self.code, "P006" | "P007")
+        [program::NOT_FINITE, program::NO_SERIES].contains(&self.code)
     }
 
     /// The step fell below the resolution of time.
     pub fn underflow(state: &Text, t: f64) -> Fault {
         let n = number(t);
         Fault::new(Message {
-            code: "S003",
+            code: codes::UNDERFLOW,
             what: Text::new(
                 format!("the step vanishes at t = {} s; `{}` changes fastest", n.en, state.en),
                 format!("шаг стал исчезающе малым при t = {} с; быстрее всего меняется `{}`", n.ru, state.ru),

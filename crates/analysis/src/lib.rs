@@ -2,7 +2,7 @@
 //! implicit method for stiff motions beside it, and one file per study. Nothing here prints, writes files or knows mechanics.
 //!
 //! Rooms, in order of reading: [`system`], [`dataset`], [`reduce`], `naming`, [`fault`], [`explain`] (what is seen, what is told, what goes wrong) - [`connections`], [`machine`] (assembly; a program as a
-//! system) - [`integrate`] (steps, events, stiff motions) - `ensemble` (eight motions at a time) - [`proxies`], [`marks`], [`waveform`], [`peaks`] (quantities along a step) - [`audits`] - [`rest`] (equations of
+//! system) - [`interrupt`], [`integrate`] (steps, events, stiff motions) - `ensemble` (eight motions at a time) - [`proxies`], [`marks`], [`waveform`], [`peaks`] (quantities along a step) - [`audits`] - [`rest`] (equations of
 //! rest) - [`linear`] (small motions) - [`studies`], [`made`] (the studies of machines, compiled here once).
 
 // the same bits on every machine: see clippy.toml
@@ -15,6 +15,7 @@ mod ensemble;
 pub mod explain;
 pub mod fault;
 pub mod integrate;
+pub mod interrupt;
 pub mod linear;
 pub mod machine;
 pub mod made;

@@ -4,6 +4,8 @@
 //! (differences of fourth order over a few thousandths of the width of the peak, so that the place has about 11 digits). Without damping a
 //! resonance is the natural frequency itself and an antiresonance a change of sign between two resonances.
 
+use algebra::golden::{self, Section};
+
 /// A largest or smallest value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
@@ -15,31 +17,18 @@ pub struct Peak {
     pub width: f64,
 }
 
-/// Steps of golden section.
-const GOLDEN: usize = 60;
+/// Narrowings by golden section: to 3e-13 of the interval at most.
+const SECTIONS: i32 = 60;
 
 /// Refines the largest (`sign` 1) or smallest (-1) value of P = |Y|² between `low` and `high`.
 pub fn refine(power: &mut dyn FnMut(f64) -> f64, low: f64, high: f64, sign: f64) -> Peak {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut a, mut b) = (low, high);
-    let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
-    let (mut px, mut py) = (power(x), power(y));
-    for _ in 0..GOLDEN {
+    let mut left = SECTIONS;
+    let section = golden::narrowest([low, high], &mut |x| sign * power(x), &mut |now| {
+        left -= 1;
         // golden section sees no more than the root of rounding; the derivative goes on
-        if b - a <= 1e-6 * b.abs() {
-            break;
-        }
-        if sign * px >= sign * py {
-            (b, y, py) = (y, x, px);
-            x = b - ratio * (b - a);
-            px = power(x);
-        } else {
-            (a, x, px) = (x, y, py);
-            y = a + ratio * (b - a);
-            py = power(y);
-        }
-    }
-    let coarse = 0.5 * (a + b);
+        left >= 0 && now.length() > 1e-6 * now.ends[1].abs()
+    });
+    let coarse = 0.5 * (section.ends[0] + section.ends[1]);
     let width = curvature_width(power, coarse, 0.25 * (high - low));
     let omega = stationary(power, coarse, width, low, high);
     Peak { omega, amplitude: power(omega).max(0.0).sqrt(), width }
@@ -47,22 +36,9 @@ pub fn refine(power: &mut dyn FnMut(f64) -> f64, low: f64, high: f64, sign: f64)
 
 /// Where a function with one hump between the ends is largest, by golden section: to the square root of rounding.
 pub fn highest(function: &mut dyn FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut a, mut b) = (low, high);
-    let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
-    let (mut fx, mut fy) = (function(x), function(y));
     // golden section sees no more than the root of rounding
-    while b - a > 1e-9 * (high - low) && x > a && y < b {
-        if fx >= fy {
-            (b, y, fy) = (y, x, fx);
-            x = b - ratio * (b - a);
-            fx = function(x);
-        } else {
-            (a, x, fx) = (x, y, fy);
-            y = a + ratio * (b - a);
-            fy = function(y);
-        }
-    }
+    let wide = |now: &Section<f64>| now.length() > 1e-9 * (high - low) && now.places[0] > now.ends[0] && now.places[1] < now.ends[1];
+    let [a, b] = golden::narrowest([low, high], function, &mut |now| wide(now)).ends;
     0.5 * (a + b)
 }
 

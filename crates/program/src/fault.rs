@@ -79,6 +79,13 @@ fn named(name: String) -> Text {
     }
 }
 
+/// Code of a value that is no finite number. This one and the next two are looked for by those who call.
+pub const NOT_FINITE: &str = "P006";
+/// Code of a state at which there is no Taylor series.
+pub const NO_SERIES: &str = "P007";
+/// Code of conditions that depend on each other where the machine stands.
+pub const DEPENDENT: &str = "P013";
+
 type Wording = (&'static str, &'static str);
 
 /// Code; what, why, help as (en, ru) with `{}` for the subject.

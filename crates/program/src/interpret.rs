@@ -3,7 +3,7 @@
 use crate::general::General;
 use crate::rounding;
 use crate::solve::{self, Defect};
-use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Singular, Tape, Unary};
+use crate::{By, Coefficient, DEPENDENT, Fault, Instruction, Mode, NOT_FINITE, Operation, Register, Singular, Tape, Unary};
 use algebra::elementary;
 use std::sync::Arc;
 use words::Text;
@@ -149,7 +149,7 @@ impl Evaluator {
     pub(crate) fn modes(&mut self, point: &Point) -> Result<Vec<Mode>, Fault> {
         match self.run(&Point { modes: None, ..*point }) {
             // where all signs together leave reactions open, each is still known
-            Err(fault) if fault.code != "P013" => return Err(fault),
+            Err(fault) if fault.code != DEPENDENT => return Err(fault),
             _ => {}
         }
         Ok(self.tape.guards.iter().map(|r| r.map_or(Mode::Positive, |r| Mode::of(self.value(r)))).collect())
@@ -232,7 +232,7 @@ impl Evaluator {
         let subject = Text::same(root.name.clone());
         match culprit {
             Some(instruction) => Fault::new(domain_code(&instruction.operation, &self.registers), &subject).at(instruction.origin),
-            None => Fault::new("P006", &subject),
+            None => Fault::new(NOT_FINITE, &subject),
         }
     }
 }
@@ -253,7 +253,7 @@ pub(crate) fn domain_code(operation: &Operation, registers: &[f64]) -> &'static 
         Operation::Unary(Unary::Asin | Unary::Acos | Unary::Acosh | Unary::Atanh, _) => "P004",
         // an input that is no number: a reaction that is not unique
         Operation::Acceleration(_) => "P014",
-        _ => "P006",
+        _ => NOT_FINITE,
     }
 }
 
@@ -362,7 +362,7 @@ pub(crate) fn defective(tape: &Tape, into: Register, defect: Defect) -> Fault {
     let (code, unknown) = match defect {
         Defect::Singular(pivot) => ("P005", pivot),
         Defect::Indefinite(pivot) => ("P009", pivot),
-        Defect::Dependent { unknown, .. } => ("P013", unknown),
+        Defect::Dependent { unknown, .. } => (DEPENDENT, unknown),
     };
     let register = Register(into.0 + unknown as u32);
     let name = tape.roots.iter().find(|root| root.register == register);

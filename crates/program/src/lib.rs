@@ -82,7 +82,7 @@ mod verify;
 
 pub use abreast::{ABREAST, Abreast, Lanes, Places};
 pub use behind::{Acting, Behind, HELD, Node, Seen};
-pub use fault::{Details, EXPLANATIONS, Fault, Singular};
+pub use fault::{DEPENDENT, Details, EXPLANATIONS, Fault, NO_SERIES, NOT_FINITE, Singular};
 pub use guard::{Construct, GuardOrigin};
 pub use interpret::{Evaluator, Point};
 pub use jets::{Jets, RESOLUTION};

@@ -1,7 +1,7 @@
 //! Showing results: numbers, units, tables, figures and pages in English and Russian. It computes no physics: everything shown here
 //! was computed before, and full precision is kept until the moment of printing.
 //!
-//! Rooms, in order of reading: `rich`, [`wording`], [`number`], [`mod@unit`], [`symbol`], [`escape`] (words and numbers) - [`formula`] - [`table`], [`figure`], [`scheme`] -
+//! Rooms, in order of reading: `rich`, [`wording`], [`number`], [`mod@unit`], [`symbol`], [`escape`] (words and numbers) - [`formula`] - `palette`, [`table`], [`figure`], [`scheme`] -
 //! [`document`] - [`formats`].
 //!
 //! [`Document`] is the middle form: the caller puts blocks into it once and writes it in a format of the table ([`formats::TABLE`]). [`Figure`] is drawn by [`figure::svg`] and [`figure::png`] and by the page itself.
@@ -14,6 +14,7 @@ pub mod figure;
 pub mod formats;
 pub mod formula;
 pub mod number;
+mod palette;
 mod rich;
 pub mod scheme;
 pub mod symbol;

@@ -17,7 +17,7 @@ use crate::reduced::{Condensation, Reduced, displacements, reduce};
 use crate::{Assembly, Frame, Load, dense, faults};
 use algebra::arrange::Arrange;
 use algebra::certify::Certificate;
-use algebra::double::Double;
+use algebra::double::{Double, inner};
 use algebra::factor::Factored;
 use algebra::polish::Firm;
 use algebra::twofold::Twofold;
@@ -206,7 +206,7 @@ impl Whole<'_> {
         let across = dense::transpose(&space.basis, n_q, n);
         let left = |f: &Vec<Double>| -> (Vec<Double>, f64) {
             let x = self.inverse.solve(f);
-            let own = dot(f, &x).round();
+            let own = inner(f, &x).round();
             let in_space = dense::product(&space.flexibility, &dense::product(&across, f, n, n_q, 1), n, n, 1);
             let followed = dense::product(&space.basis, &in_space, n_q, n, 1);
             (x.iter().zip(followed).map(|(x, y)| x.less(y)).collect(), own)
@@ -214,9 +214,9 @@ impl Whole<'_> {
         let moved: Vec<(Vec<Double>, f64)> = self.acting.iter().map(left).collect();
         let mut lags = Vec::new();
         for row in &self.named {
-            let own = dot(row, &self.inverse.solve(row)).round();
+            let own = inner(row, &self.inverse.solve(row)).round();
             let of = |(x, load): &(Vec<Double>, f64)| {
-                let lag = dot(row, x).round();
+                let lag = inner(row, x).round();
                 if lag.abs() > AT_ONCE * (own * load).sqrt() { lag } else { 0.0 }
             };
             lags.extend(moved.iter().map(of));
@@ -295,10 +295,10 @@ impl Whole<'_> {
     fn beyond(&self, row: &[Double], shapes: &[Vec<Double>], condensed: &Reduced<Double>) -> Option<Vec<Double>> {
         let (k, kept) = (&self.stiffness, condensed.n());
         let mut shape = self.inverse.solve(row);
-        let own = dot(row, &shape).round();
+        let own = inner(row, &shape).round();
         for _ in 0..2 {
             let force = k.product(&shape);
-            let shares: Vec<Double> = shapes.iter().map(|s| dot(s, &force)).collect();
+            let shares: Vec<Double> = shapes.iter().map(|s| inner(s, &force)).collect();
             let mut weights = dense::product(&condensed.flexibility, &shares[..kept], kept, kept, 1);
             weights.extend(&shares[kept..]);
             for (other, weight) in shapes.iter().zip(weights) {
@@ -306,7 +306,7 @@ impl Whole<'_> {
                 shape.iter_mut().zip(other).for_each(|(x, o)| *x = x.plus(minus, *o));
             }
         }
-        let left = dot(&shape, &k.product(&shape));
+        let left = inner(&shape, &k.product(&shape));
         let size = left.root();
         (left.round() > NEW * own && shapes.len() < k.size()).then(|| shape.iter().map(|x| x.over(size)).collect())
     }
@@ -316,9 +316,9 @@ impl Whole<'_> {
         let (n, n_q) = (shapes.len(), self.stiffness.size());
         let heavy: Vec<Vec<Double>> = shapes.iter().map(|s| self.mass.product(s)).collect();
         let half = Double::from(0.5);
-        let mass = (0..n * n).map(|e| half.times(dot(&shapes[e / n], &heavy[e % n]).sum(dot(&shapes[e % n], &heavy[e / n])))).collect();
+        let mass = (0..n * n).map(|e| half.times(inner(&shapes[e / n], &heavy[e % n]).sum(inner(&shapes[e % n], &heavy[e / n])))).collect();
         let basis = (0..n_q * n).map(|e| shapes[e % n][e / n]).collect();
-        let named = self.named.iter().map(|row| shapes.iter().map(|s| dot(row, s)).collect()).collect();
+        let named = self.named.iter().map(|row| shapes.iter().map(|s| inner(row, s)).collect()).collect();
         Space { n, mass, stiffness: dense::identity(n), flexibility: dense::identity(n), basis, named, lost: false, kept: None }
     }
 }
@@ -329,10 +329,6 @@ fn doubled(vector: &[f64]) -> Vec<Double> {
 
 fn rounded(vector: &[Double]) -> Vec<f64> {
     vector.iter().map(|v| v.round()).collect()
-}
-
-fn dot(a: &[Double], b: &[Double]) -> Double {
-    a.iter().zip(b).fold(Double::default(), |sum, (x, y)| sum.plus(*x, *y))
 }
 
 fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
@@ -422,7 +418,7 @@ fn independent(rows: &[Vec<Double>], flexibility: &[Double], n: usize) -> Vec<us
 }
 
 fn energy(a: &[Double], b: &[Double], flexibility: &[Double], n: usize) -> Double {
-    dot(a, &dense::product(flexibility, b, n, n, 1))
+    inner(a, &dense::product(flexibility, b, n, n, 1))
 }
 
 /// The oscillations in which the named displacements rest, xᵀ M x = 1.

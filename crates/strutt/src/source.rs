@@ -5,6 +5,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 use studies::Source;
+use studies::failure::NO_FILE;
 use words::{Notice, nearest};
 
 /// Largest model file, bytes; the reader of the model has the same limit.
@@ -52,7 +53,7 @@ fn cannot_open(path: &str, error: &std::io::Error) -> Notice {
     if error.kind() != ErrorKind::NotFound {
         return unreadable(path, error);
     }
-    let trouble = Notice::new("C001", format!("there is no file `{path}`"), format!("нет файла `{path}`"));
+    let trouble = Notice::new(NO_FILE, format!("there is no file `{path}`"), format!("нет файла `{path}`"));
     let wanted = Path::new(path);
     let name = wanted.file_name().map_or_else(|| path.into(), |n| n.to_string_lossy().into_owned());
     if let Some(near) = nearest(&name, neighbours(wanted).iter().map(String::as_str)) {

@@ -21,6 +21,9 @@ pub enum Failure {
     ClosedPipe,
 }
 
+/// Code of a path that leads nowhere.
+pub const NO_FILE: &str = "C001";
+
 impl Failure {
     /// 0 done, 1 model or check failed, 2 wrong use.
     pub fn exit_code(&self) -> u8 {
@@ -31,7 +34,7 @@ impl Failure {
                 if errors.all(|d| matches!(d.place, Place::Override { .. })) { 2 } else { 1 }
             }
             // a path that leads nowhere is a slip on the command line
-            Failure::Trouble(t) if t.code == "C001" => 2,
+            Failure::Trouble(t) if t.code == NO_FILE => 2,
             Failure::Trouble(_) => 1,
             Failure::Misuse(_) => 2,
             Failure::ClosedPipe => 0,

@@ -72,7 +72,7 @@ impl Study for Inverse {
         Ok(asked)
     }
     fn extras(&self) -> &'static [Extra] {
-        &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
+        Extra::OF_A_MOTION
     }
     fn interrupts(&self) -> Interrupts {
         Interrupts::Kept

@@ -67,7 +67,9 @@ pub mod written;
 pub use failure::Failure;
 pub use machine::Machine;
 pub use machine::bind::{Binding, Origin};
-pub use machine::study::{Extra, Finds, Found, Given, Interrupts, Repeats, Studies, Study, agreed, idle, of_file, overlaid};
+pub use machine::study::{
+    Extra, Finds, Found, Given, Interrupts, Repeats, Studies, Study, agreed, idle, of_file, overlaid, turns_of_an_angle,
+};
 pub use provenance::VERSION;
 pub use results::{Alone, Conclusion, Extent, Fact, Next, Results, Rows, View};
 pub use source::Source;

@@ -163,7 +163,7 @@ impl Study for Motion {
         merged(&KIND, &machine.equations, given)
     }
     fn extras(&self) -> &'static [Extra] {
-        &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
+        Extra::OF_A_MOTION
     }
     fn interrupts(&self) -> Interrupts {
         Interrupts::Kept

@@ -15,7 +15,7 @@ mod single;
 mod walk;
 
 use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, half_a_range, turns_of_no_angle};
-use super::{Finds, Found, Given, Interrupts, Repeats, Results, Study, agreed, idle, overlaid};
+use super::{Finds, Found, Given, Interrupts, Repeats, Results, Study, agreed, idle, overlaid, turns_of_an_angle};
 use crate::Failure;
 use crate::machine::{self, Machine};
 use crate::results::finite::checked;
@@ -171,11 +171,7 @@ impl Study for Disturbances {
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         let asked = overlaid(&KIND, given.written.or(given.of_file).unwrap_or_else(|| Asked::new(KIND.name)), given.line);
-        if given.line.has("turns") && asked.coordinate("section").is_none() {
-            let (en, ru) =
-                ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
-            return Err(idle("--turns", &Text::new(en, ru)));
-        }
+        turns_of_an_angle(given.line, &asked)?;
         if given.line.has("speed") && !asked.has("angle") {
             return Err(idle("--speed", &Text::new("no angle runs: --angle phi", "ни одна координата не растёт равномерно: --angle phi")));
         }

@@ -1,7 +1,8 @@
 //! What watches a long calculation from outside: a flag to stop it, listeners to its progress and to the ends of its phases. There is no clock here.
 
+use analysis::interrupt::is_set;
 pub use analysis::studies::simulate::Kept;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use words::{Notice, Text};
 
 /// A phase of a calculation.
@@ -68,7 +69,7 @@ pub struct Watch<'a> {
 impl Watch<'_> {
     /// Whether the calculation is to end.
     pub fn is_interrupted(&self) -> bool {
-        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        is_set(self.interrupt)
     }
 
     /// The same with a keeper of rows.

@@ -8,6 +8,7 @@
 use words::Text;
 
 use super::frontier::Frontier;
+use super::sampling::Sampling;
 use crate::System;
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -30,12 +31,9 @@ pub struct BodyBalance {
     strongest: f64,
     /// Largest terms of each row so far: a balance in which all terms vanish for an instant has its own size all the same.
     largest: Vec<f64>,
-    steps: u64,
-    stride: u64,
-    taken: u64,
+    sampling: Sampling,
     x: Vec<f64>,
     rates: Vec<f64>,
-    known: bool,
 }
 
 impl BodyBalance {
@@ -45,33 +43,27 @@ impl BodyBalance {
             found: Frontier::default(),
             strongest: 0.0,
             largest: Vec::new(),
-            steps: 0,
-            stride: 1,
-            taken: 0,
+            sampling: Sampling::new(SAMPLES),
             x: vec![0.0; n_states],
             rates: vec![0.0; n_states],
-            known: true,
         }
     }
 
     /// Counts a step that would not be looked at; false where it is to be looked at.
     pub(crate) fn passes_over(&mut self) -> bool {
-        let over = !self.known || !self.steps.is_multiple_of(self.stride);
-        self.steps += u64::from(over);
-        over
+        self.sampling.passes_over()
     }
 
     /// Looks at the middle of a step; at every one of the first 16, then at every second, fourth, ...
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
-        self.steps += 1;
-        if !self.known || step.length == 0.0 || !(self.steps - 1).is_multiple_of(self.stride) {
+        if !self.sampling.takes() || step.length == 0.0 {
             return;
         }
         let t = step.instant(step.beside_change_point(0.5 * step.length)).high;
         step.motion_after(step.start.until(t), &mut self.x, &mut self.rates);
         let n = system.n_coordinates();
         let Some(rows) = system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes) else {
-            self.known = false;
+            self.sampling.give_up();
             return;
         };
         self.largest.resize(rows.len(), 0.0);
@@ -91,10 +83,7 @@ impl BodyBalance {
         }
         // a body at the far end of a chain carries what rounding leaves of the forces before it
         self.found.whole(self.strongest);
-        self.taken += 1;
-        if self.taken.is_multiple_of(SAMPLES) {
-            self.stride *= 2;
-        }
+        self.sampling.note();
     }
 
     /// What rounding of the state leaves in each balance. A spring that carries the weight may stand in it with the deviation from rest alone, which is a difference
@@ -126,6 +115,6 @@ impl BodyBalance {
             "Newton-Euler balance of every body with its reactions: largest relative residual",
             "уравнения Ньютона-Эйлера для каждого тела с его реакциями: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0).then(|| Audit::at_most("body_balance", name, self.found.worst(), super::limit(tolerance)))
+        self.sampling.has_seen().then(|| Audit::at_most("body_balance", name, self.found.worst(), super::limit(tolerance)))
     }
 }

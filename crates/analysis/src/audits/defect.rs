@@ -11,14 +11,18 @@ use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::integrate::Step;
 use crate::{Jacobian, System};
+use algebra::golden::GOLDEN;
 use algebra::lu::Lu;
 
-/// Fraction of a step between the points of neighbouring steps at which its inside is looked at.
-pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Rounding of a rate, relative to the largest of its state so far.
 const ROUNDING: f64 = 1e-13;
 /// Share of the limit from which on the terms of a rate are looked at: what is less is no finding, with its rounding or without.
 const SUSPECT: f64 = 0.1;
+
+/// Where the inside of a step is looked at, as a share of its length: multiples of the golden section, since those of no other number fill the steps more evenly.
+pub(crate) fn looked_at(step: u64) -> f64 {
+    (step as f64 * GOLDEN).fract()
+}
 
 /// Collects the largest defect along a motion.
 #[derive(Clone, Debug, Default)]
@@ -64,7 +68,7 @@ impl InteriorDefect {
     /// Looks at one point of a step.
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;
-        let t = step.instant(step.beside_change_point((self.steps as f64 * GOLDEN).fract() * step.length)).high;
+        let t = step.instant(step.beside_change_point(looked_at(self.steps) * step.length)).high;
         step.motion_after(step.start.until(t), &mut self.x, &mut self.slopes);
         if !self.known || !system.rates(t, &self.x, &step.modes, &mut self.rates) {
             self.known = false;

@@ -14,6 +14,7 @@ pub mod ledger;
 mod placements;
 pub mod power;
 pub mod released;
+mod sampling;
 pub mod second;
 pub mod shared;
 pub mod touches;

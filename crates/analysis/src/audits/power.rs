@@ -18,6 +18,7 @@ use words::Text;
 
 use super::damping::{damping_alone, places_alone};
 use super::frontier::{FLOOR, Frontier};
+use super::sampling::Sampling;
 use crate::dataset::Audit;
 use crate::integrate::Step;
 use crate::{Powers, System};
@@ -34,12 +35,9 @@ const SAMPLES: u64 = 64;
 pub struct PowerBalance {
     found: Frontier,
     largest: f64,
-    steps: u64,
-    stride: u64,
-    taken: u64,
+    sampling: Sampling,
     x: Vec<f64>,
     rates: Vec<f64>,
-    known: bool,
 }
 
 impl PowerBalance {
@@ -48,26 +46,20 @@ impl PowerBalance {
         PowerBalance {
             found: Frontier::default(),
             largest: 0.0,
-            steps: 0,
-            stride: 1,
-            taken: 0,
+            sampling: Sampling::new(SAMPLES),
             x: vec![0.0; n_states],
             rates: vec![0.0; n_states],
-            known: true,
         }
     }
 
     /// Counts a step that would not be looked at; false where it is to be looked at.
     pub(crate) fn passes_over(&mut self) -> bool {
-        let over = !self.known || !self.steps.is_multiple_of(self.stride);
-        self.steps += u64::from(over);
-        over
+        self.sampling.passes_over()
     }
 
     /// Looks at the middle of a step; at every one of the first 64, then at every second, fourth, ...
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
-        self.steps += 1;
-        if !self.known || !(self.steps - 1).is_multiple_of(self.stride) {
+        if !self.sampling.takes() {
             return;
         }
         let t = step.instant(step.beside_change_point(0.5 * step.length)).high;
@@ -75,7 +67,7 @@ impl PowerBalance {
         let n = system.n_coordinates();
         let accelerations = &self.rates[n..2 * n];
         let Some(p) = system.powers(t, &self.x, accelerations, &step.modes) else {
-            self.known = false;
+            self.sampling.give_up();
             return;
         };
         self.rates.fill(0.0);
@@ -88,10 +80,7 @@ impl PowerBalance {
         let scale = if residual <= CLEAR * scale { scale } else { scale.max(self.further((t, step), system, [&p, &still])) };
         self.found.note(residual, scale);
         self.found.whole(self.largest);
-        self.taken += 1;
-        if self.taken.is_multiple_of(SAMPLES) {
-            self.stride *= 2;
-        }
+        self.sampling.note();
     }
 
     /// The scales that count where a residual is not clear: powers at the end of the step, of damping alone, of the changes within the step, and of rounding.
@@ -137,6 +126,6 @@ impl PowerBalance {
             "power balance dE/dt = supplied − dissipated: largest relative residual",
             "баланс мощностей dE/dt = подведённая − рассеянная: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0).then(|| Audit::at_most("power_balance", name, self.found.worst(), super::limit(tolerance)))
+        self.sampling.has_seen().then(|| Audit::at_most("power_balance", name, self.found.worst(), super::limit(tolerance)))
     }
 }

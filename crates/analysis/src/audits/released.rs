@@ -21,6 +21,7 @@ use words::Text;
 
 use super::frontier::Frontier;
 use super::placements::{BODY, Column, N, Placements, Wrench};
+use super::sampling::Sampling;
 use super::virtual_work::VirtualWork;
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -40,10 +41,7 @@ pub struct ReleasedBalance {
     /// Largest terms of each displacement so far.
     largest: Vec<f64>,
     strongest: f64,
-    steps: u64,
-    stride: u64,
-    taken: u64,
-    known: bool,
+    sampling: Sampling,
     placements: Placements,
     work: VirtualWork,
 }
@@ -59,34 +57,23 @@ impl ReleasedBalance {
     /// For a system.
     pub fn new<S: System + ?Sized>(system: &S) -> ReleasedBalance {
         let layout = system.layout();
-        let known = layout.wrenches + layout.along > 0;
+        let mut sampling = Sampling::new(SAMPLES);
+        if layout.wrenches + layout.along == 0 {
+            sampling.give_up();
+        }
         let placements = Placements::new(layout.bodies);
         let found = Frontier::default();
-        ReleasedBalance {
-            layout,
-            found,
-            largest: Vec::new(),
-            strongest: 0.0,
-            steps: 0,
-            stride: 1,
-            taken: 0,
-            known,
-            placements,
-            work: VirtualWork::default(),
-        }
+        ReleasedBalance { layout, found, largest: Vec::new(), strongest: 0.0, sampling, placements, work: VirtualWork::default() }
     }
 
     /// Counts a step that would not be looked at; false where it is to be looked at.
     pub(crate) fn passes_over(&mut self) -> bool {
-        let over = !self.known || !self.steps.is_multiple_of(self.stride);
-        self.steps += u64::from(over);
-        over
+        self.sampling.passes_over()
     }
 
     /// Looks at the middle of a step; at every one of the first, then at every second, fourth, ...
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
-        self.steps += 1;
-        if !self.known || step.length == 0.0 || step.change.is_some() || !(self.steps - 1).is_multiple_of(self.stride) {
+        if !self.sampling.takes() || step.length == 0.0 || step.change.is_some() {
             return;
         }
         let middle = 0.5 * step.length;
@@ -107,10 +94,7 @@ impl ReleasedBalance {
             self.strongest = self.strongest.max(term.size);
         }
         self.found.whole(self.strongest);
-        self.taken += 1;
-        if self.taken.is_multiple_of(SAMPLES) {
-            self.stride *= 2;
-        }
+        self.sampling.note();
     }
 
     fn terms(&self, here: &[f64], momenta: &[[Vector; 3]]) -> Vec<Terms> {
@@ -163,7 +147,7 @@ impl ReleasedBalance {
 
     /// The audits: of released bodies where a reaction is hidden, of virtual work wherever bodies are known.
     pub fn audits(&self, tolerance: f64) -> Vec<Audit> {
-        let work = self.work.audit(tolerance).filter(|_| self.known);
+        let work = self.work.audit(tolerance).filter(|_| self.sampling.is_known());
         self.released(tolerance).into_iter().chain(work).collect()
     }
 
@@ -172,7 +156,7 @@ impl ReleasedBalance {
             "momentum and angular momentum of released bodies, from their placements: largest relative residual",
             "количество движения и кинетический момент освобождённых тел по их положениям: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0 && !self.layout.frames.is_empty())
+        (self.sampling.has_seen() && !self.layout.frames.is_empty())
             .then(|| Audit::at_most("released_balance", name, self.found.worst(), (super::GROWN * tolerance).max(LIMIT)))
     }
 }

@@ -18,7 +18,7 @@ use words::Text;
 
 use super::ROUNDED;
 use super::blows::STILL;
-use super::defect::GOLDEN;
+use super::defect::looked_at;
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::integrate::Step;
@@ -92,7 +92,7 @@ impl TouchLaws {
         self.steps += 1;
         self.x.resize(system.states().len(), 0.0);
         self.rates.resize(system.states().len(), 0.0);
-        let one = [(self.steps as f64 * GOLDEN).fract()];
+        let one = [looked_at(self.steps)];
         let places: &[f64] = if self.steps <= WHOLE { &PLACES } else { &one };
         for place in places {
             let Some(touches) = self.touches(step, system, place * length) else { continue };

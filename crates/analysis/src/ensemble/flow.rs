@@ -3,7 +3,7 @@
 use super::checks::{Checks, Inside};
 use super::length::Lengths;
 use crate::Mode;
-use crate::audits::defect::GOLDEN;
+use crate::audits::defect::looked_at;
 use crate::integrate::taylor::{DEFECT, OF_RATES as ROUNDING};
 use crate::integrate::{FOUR_TURNS, MOST_TURNS, Step, taken};
 use algebra::gauss::EIGHT;
@@ -296,7 +296,7 @@ impl Flow {
         let span = Span { times: [&times[0], &times[1]], states: [&self.x, &self.low], lengths: &self.lengths };
         let works = self.series.works(&span, &self.points, &mut self.inside);
         self.checks.book(&self.values, &works);
-        let share = |lane: usize| ((self.lanes[lane].steps + 1) as f64 * GOLDEN).fract();
+        let share = |lane: usize| looked_at(self.lanes[lane].steps + 1);
         self.look_inside(&std::array::from_fn(|lane| share(lane) * self.lengths[lane]));
         self.checks.compare(&Inside {
             values: &self.inside,

@@ -1,5 +1,6 @@
 //! Putting a machine together: starts, loops, conditions that contradict each other.
 
+use crate::fault::codes;
 use words::{Message, Text};
 
 use super::Fault;
@@ -86,7 +87,7 @@ impl Fault {
     /// Conditions that hold the same motion and disagree.
     pub fn contradiction(conditions: &Text, places: &Text) -> Fault {
         Fault::new(Message {
-            code: "S017",
+            code: codes::CONTRADICTION,
             what: Text::new(
                 format!("these conditions contradict each other: {}, at {}", conditions.en, places.en),
                 format!("эти условия противоречат друг другу: {}, при {}", conditions.ru, places.ru),

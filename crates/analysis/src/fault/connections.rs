@@ -1,5 +1,6 @@
 //! Faults of friction, contacts and connections.
 
+use crate::fault::codes;
 use words::{Message, Text};
 
 use super::Fault;
@@ -230,7 +231,7 @@ impl Fault {
     pub fn strand_pushes(drive: &Text, since: Since<'_>) -> Fault {
         let Text { en: from, ru: since } = since.words();
         Fault::new(Message {
-            code: "S116",
+            code: codes::STRAND_PUSHES,
             what: Text::new(
                 format!("{}: {from} a strand would have to push", drive.en),
                 format!("{}: {since} одна из ветвей должна была бы толкать", drive.ru),

@@ -1,5 +1,6 @@
 //! Contacts and their impacts.
 
+use crate::fault::codes;
 use words::{Message, Text};
 
 use super::Fault;
@@ -104,7 +105,7 @@ impl Fault {
     pub fn lost_conditions(violation: f64, t: f64) -> Fault {
         let (n, t) = (rounded(violation), number(t));
         Fault::new(Message {
-            code: "S013",
+            code: codes::APART,
             what: Text::new(
                 format!("the connections come apart at t = {} s: relative violation {}", t.en, n.en),
                 format!("связи расходятся при t = {} с: относительное нарушение {}", t.ru, n.ru),

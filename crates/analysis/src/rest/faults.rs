@@ -1,5 +1,6 @@
 //! Faults of rest: friction that is too weak, loads that friction leaves open.
 
+use crate::fault::codes;
 use symbolic::Equations;
 use symbolic::connections::Law;
 use words::{Message, Text};
@@ -222,7 +223,7 @@ pub(crate) fn open(unknown: &str, friction: &str) -> Fault {
 /// S007 where ropes are slack or contacts open at the guess.
 pub(crate) fn with_open(names: &str) -> Fault {
     Fault::new(Message {
-        code: "S007",
+        code: codes::NO_REST,
         what: Text::new(
             format!("no equilibrium found from this guess, where {names} carries nothing"),
             format!("из этого приближения положение равновесия не найдено; усилия там нет: {names}"),

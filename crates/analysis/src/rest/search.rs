@@ -1,5 +1,6 @@
 //! The search for rest without connections: h(q, 0, s, 0) = 0 by damped Newton from guesses.
 
+use crate::fault::codes;
 use words::{Message, Text};
 
 use super::fine::Sought;
@@ -157,7 +158,7 @@ pub(crate) fn nothing_between(name: &str, (from, to): (f64, f64), searched: Sear
         ),
     };
     Fault::new(Message {
-        code: "S007",
+        code: codes::NO_REST,
         what: Text::new(
             format!("no equilibrium with `{name}` between {} and {}", a.en, b.en),
             format!("при `{name}` от {} до {} положений равновесия нет", a.ru, b.ru),
@@ -432,7 +433,7 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
         let names: Vec<&str> = (0..self.n).filter(|&i| direction[i].abs() > 1e-9 * largest).map(|i| self.system.name(i)).collect();
         let names = names.join(", ");
         Fault::new(Message {
-            code: "S008",
+            code: codes::NEUTRAL,
             what: Text::new(
                 format!("neutral equilibrium: free motion along {names}"),
                 format!("безразличное равновесие: свободное движение по {names}"),
@@ -456,7 +457,7 @@ impl<'s, S: Statics + ?Sized> Search<'s, S> {
 /// No place of rest was found.
 pub fn no_equilibrium() -> Fault {
     Fault::new(Message {
-        code: "S007",
+        code: codes::NO_REST,
         what: Text::new("no equilibrium found from this guess", "из этого приближения равновесие не найдено"),
         why: Text::new(
             "the forces do not vanish together near here, or the guess is far from the equilibrium",
@@ -472,7 +473,7 @@ pub fn no_equilibrium() -> Fault {
 /// There is none, and small motions need none: the loads accelerate a machine whose coefficients are the same everywhere (a free shaft under a torque).
 pub fn accelerated() -> Fault {
     Fault::new(Message {
-        code: "S007",
+        code: codes::NO_REST,
         what: Text::new("the loads set this machine in motion: it has no equilibrium", "нагрузки разгоняют эту машину: равновесия нет"),
         why: Text::new(
             "something turns or moves freely, and a force acts on it; the coefficients of small motions are the same in every place",

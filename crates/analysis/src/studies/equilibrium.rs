@@ -4,6 +4,7 @@
 //! t = 0). An equilibrium of a conservative system is stable when its stiffness K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
 //! work over closed ways (follower forces), and definiteness of the symmetric part is only a hint.
 
+use crate::fault::codes;
 use algebra::arrange::Arrange;
 use words::Text;
 
@@ -108,7 +109,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         let slack = 1e-9 * (to - from);
         found.retain(|rest| (from - slack..=to + slack).contains(&rest.q[coordinate]));
         found.arrange_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
-        faults.retain(|f| f.code == "S008");
+        faults.retain(|f| f.code == codes::NEUTRAL);
         if found.is_empty() && faults.is_empty() {
             let searched = if n > 1 { Searched::Guessed } else { Searched::Whole };
             faults.push(nothing_between(&coordinates[coordinate].name, (from, to), searched));
@@ -127,7 +128,7 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         dataset.notes.push(neutral());
     }
     // a guess that failed matters only when nothing was found, a free motion always
-    let neutral = faults.iter().position(|f| f.code == "S008");
+    let neutral = faults.iter().position(|f| f.code == codes::NEUTRAL);
     let fault = match neutral {
         Some(i) => Some(faults.swap_remove(i)),
         // poles alone are no place

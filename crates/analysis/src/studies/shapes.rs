@@ -1,5 +1,6 @@
 //! What natural motions are: frequency, ratio, root and shape of each, how shapes are scaled, what is to be said of them all.
 
+use crate::fault::codes;
 use algebra::cholesky::{Cholesky, MASSLESS, Weak};
 use algebra::elementary;
 use words::{Message, Text};
@@ -240,7 +241,7 @@ pub fn check_mass(mass: &[f64], n: usize, names: &[Quantity]) -> Result<(), Faul
 fn massless(name: &str, pivot: f64) -> Fault {
     let what = if pivot < -MASSLESS { ("negative", "отрицательна") } else { ("zero", "равна нулю") };
     Fault::new(Message {
-        code: "S031",
+        code: codes::NO_INERTIA,
         what: Text::new(
             format!("the inertia of a motion with `{name}` is {} here: there are no modes", what.0),
             format!("инерция движения с координатой `{name}` здесь {}: собственных форм нет", what.1),

@@ -2,19 +2,25 @@
 //!
 //! The tables `rods` and `supports` also hold connections of bodies: a row whose ends are points of bodies is not touched here.
 
-use super::plane;
+mod loads;
+mod owner;
+mod quantities;
+
+pub(super) use loads::takes;
+pub(super) use owner::{Owner, rows};
+
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
-use crate::reader::names::names;
+use crate::formula::Context;
 use crate::reader::names::two_names;
-use crate::reader::{Fields, Reader, components, short, string, wrong_type};
+use crate::reader::{Fields, Reader, short, wrong_type};
 use crate::section::Section;
-use crate::structure::{Action, AssumedShape, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
+use crate::structure::{Node, Options, Rod, Structure, Support};
 use crate::units::Dimension;
-use std::ops::Range;
-use symbolic::{Expr, Rational, SymbolId};
+use loads::{displacements, distributed, rayleigh};
+use quantities::{not_negative, plane_vector, positive, unknown_node, words};
+use symbolic::Expr;
 use toml::de::DeValue;
-use words::{Notice, Text, digits};
+use words::{Notice, digits};
 
 const BENDING: Dimension = Dimension::of(3, 1, -2);
 const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
@@ -55,91 +61,6 @@ pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[S
     }
 }
 
-/// A vector in the plane under a key; zeros without it.
-fn plane_vector<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, context: &Context, wanted: &Dimension) -> [Expr; 2] {
-    let zero = reader.builder.graph.zero();
-    let Some(value) = fields.get(key) else { return [zero; 2] };
-    let parts = components(reader, value, context, wanted);
-    plane::along(reader, value, parts)
-}
-
-/// Whose a row of a shared table is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Owner {
-    /// Nodes and their rods.
-    Structure,
-    /// Connections of bodies.
-    Bodies,
-}
-
-/// The rows of one owner in a table that structures share with connections of bodies.
-pub(super) fn rows<'a>(
-    reader: &mut Reader<'a>,
-    top: &Fields<'a>,
-    key: &'static str,
-    spec: &'static fields::TableSpec,
-    of: Owner,
-) -> Vec<(String, Fields<'a>)> {
-    top.entries_if(reader, key, spec, &|reader, table| owner(reader, key, table) == of)
-}
-
-fn owner(reader: &Reader, key: &str, table: &crate::reader::syntax::Table) -> Owner {
-    if owns(reader, key, table) { Owner::Structure } else { Owner::Bodies }
-}
-
-/// Whether a row of a shared table is about nodes and their rods.
-fn owns(reader: &Reader, key: &str, table: &crate::reader::syntax::Table) -> bool {
-    let draft = &reader.structure;
-    if draft.nodes.is_empty() {
-        return false;
-    }
-    let text = |key: &str| table.get(key).and_then(|v| v.get_ref().as_str()).unwrap_or_default();
-    let is_place = |name: &str| reader.scope.place(name).is_some();
-    match key {
-        "rods" => match table.get("between").and_then(|v| v.get_ref().as_array()) {
-            Some(ends) => !ends.iter().all(|e| e.get_ref().as_str().is_some_and(is_place)),
-            None => true,
-        },
-        "supports" => draft.node_index.contains_key(text("at")) || !is_place(text("at")),
-        "distributed" => table.contains_key("on") && !table.contains_key("from"),
-        _ => false,
-    }
-}
-
-/// A quantity that is positive.
-fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension) -> Option<Expr> {
-    unless(reader, fields, (key, wanted), |v| v <= 0.0)
-}
-
-/// A quantity that may be zero, but not negative.
-fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension) -> Option<Expr> {
-    unless(reader, fields, (key, wanted), |v| v < 0.0)
-}
-
-/// A constant under a key, with a fault where its number is wrong.
-fn unless<'a>(
-    reader: &mut Reader<'a>,
-    fields: &Fields<'a>,
-    (key, wanted): (&'static str, &Dimension),
-    is_wrong: impl Fn(f64) -> bool,
-) -> Option<Expr> {
-    let value = fields.formula(reader, key, &Context::CONSTANT, Some(wanted))?;
-    let Some(number) = reader.number(&value).filter(|v| is_wrong(*v)) else { return Some(value.expr) };
-    let given = digits::typed(number);
-    let fault = Notice::piece(
-        "M203",
-        fields.span_of(key),
-        format!("{key} of {} is {}", fields.path, given.en),
-        format!("{key} в {} равно {}", fields.path, given.ru),
-    )
-    .why(
-        "stiffnesses and masses are positive; a parameter is probably wrong",
-        "жёсткости и массы положительны; вероятно, неверен параметр",
-    );
-    reader.fault(fault);
-    Some(value.expr)
-}
-
 /// `[rods]` between nodes.
 pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     if reader.structure.nodes.is_empty() {
@@ -161,29 +82,6 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
             reader.structure.rod_index.insert(name, reader.structure.rods.len());
             reader.structure.rods.push(rod);
         }
-    }
-}
-
-fn unknown_node(reader: &mut Reader, name: &str, span: Range<usize>) {
-    let fault = Notice::piece("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)));
-    let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
-    let near = reader.scope.nearest(name, nodes).map(str::to_owned);
-    reader.fault(or_add(fault, name, near));
-}
-
-/// Neither a node nor a rod.
-fn unknown_site(reader: &mut Reader, name: &str, span: Range<usize>) {
-    let (en, ru) = (format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)));
-    let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
-    let rods = reader.structure.rods.iter().map(|r| r.name.as_str());
-    let near = reader.scope.nearest(name, nodes.chain(rods)).map(str::to_owned);
-    reader.fault(or_add(Notice::piece("M202", span, en, ru), name, near));
-}
-
-fn or_add(fault: Notice, name: &str, near: Option<String>) -> Notice {
-    match near {
-        Some(near) => fault.meant(name, &near),
-        None => fault.help("add it to [nodes]", "добавьте его в [nodes]"),
     }
 }
 
@@ -298,28 +196,6 @@ fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [usize; 2]) 
     None
 }
 
-/// Words of a list under a key; each must be one of `known`.
-fn words<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, known: &[&'static str]) -> Vec<usize> {
-    let Some(value) = fields.get(key) else { return Vec::new() };
-    let found = names(reader, value);
-    found.into_iter().filter_map(|(word, span)| one_of(reader, &word, span, known)).collect()
-}
-
-fn one_of(reader: &mut Reader, word: &str, span: Range<usize>, known: &[&'static str]) -> Option<usize> {
-    let found = known.iter().position(|k| *k == word);
-    if found.is_none() {
-        let list = known.join(", ");
-        let fault = Notice::piece(
-            "M205",
-            span,
-            format!("`{}` is not one of {list}", short(word)),
-            format!("`{}` — не из списка: {list}", short(word)),
-        );
-        reader.fault(fault);
-    }
-    found
-}
-
 fn releases<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> [bool; 2] {
     let found = words(reader, fields, "releases", &["start", "end"]);
     [found.contains(&0), found.contains(&1)]
@@ -390,83 +266,6 @@ fn whole<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) ->
     None
 }
 
-/// A node or rod named under a key.
-fn site<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<Site> {
-    let (name, span) = fields.name(reader, key)?;
-    if let Some(i) = reader.structure.node_index.get(&name) {
-        return Some(Site::Node(*i));
-    }
-    let Some(&rod) = reader.structure.rod_index.get(&name) else {
-        unknown_site(reader, &name, span);
-        return None;
-    };
-    let distance = fields.formula_or_zero(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH));
-    let length = reader.values.of(&reader.builder.graph, reader.structure.rods[rod].length);
-    // the end of a rod is a place on it, its length being rounded
-    if let Some(d) = reader.number(&distance).filter(|d| *d < 0.0 || *d > length * (1.0 + 1e-12)) {
-        let fault = Notice::piece(
-            "M204",
-            fields.span_of("distance"),
-            format!("{d} m is outside the rod {name}, whose length is {length} m"),
-            format!("{d} м вне стержня {name} длиной {length} м"),
-        );
-        reader.fault(fault);
-    }
-    Some(Site::Rod(rod, distance.expr))
-}
-
-/// Whether a name under a key is a node or rod.
-fn is_ours<'a>(reader: &Reader<'a>, fields: &Fields<'a>, key: &'static str) -> bool {
-    let name = fields.get(key).and_then(|v| v.get_ref().as_str());
-    name.is_some_and(|n| reader.structure.node_index.contains_key(n) || reader.structure.rod_index.contains_key(n))
-}
-
-/// Takes a row of a table of elements that acts on a node or rod.
-pub(super) fn takes<'a>(reader: &mut Reader<'a>, table: &str, name: &str, fields: &Fields<'a>) -> bool {
-    match table {
-        "forces" => force(reader, name, fields),
-        "torques" => torque(reader, name, fields),
-        _ => false,
-    }
-}
-
-/// Takes a row of `[forces]` that acts on a node or rod.
-fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
-    if !is_ours(reader, fields, "at") {
-        return false;
-    }
-    if let (Some(site), Some(value)) = (site(reader, fields, "at"), fields.get("value")) {
-        let parts = components(reader, value, &Context::TIME, &Dimension::FORCE);
-        let [x, y] = plane::along(reader, value, parts);
-        let zero = reader.builder.graph.zero();
-        let label = fields.text(reader, "label").unwrap_or_default();
-        let load = Load::of("forces", name, Action::Point { site, value: [x, y, zero] });
-        reader.structure.loads.push(Load { label, ..load });
-    }
-    true
-}
-
-/// Takes a row of `[torques]` that acts on a node or rod.
-fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
-    if !is_ours(reader, fields, "on") {
-        return false;
-    }
-    if let Some(site) = site(reader, fields, "on") {
-        let couple = match fields.get("value") {
-            Some(value) if value.get_ref().as_array().is_some() => {
-                let parts = components(reader, value, &Context::TIME, &Dimension::ENERGY);
-                plane::about(reader, value, parts)
-            }
-            _ => fields.formula_or_zero(reader, "value", &Context::TIME, Some(&Dimension::ENERGY)).expr,
-        };
-        let zero = reader.builder.graph.zero();
-        let label = fields.text(reader, "label").unwrap_or_default();
-        let load = Load::of("torques", name, Action::Point { site, value: [zero, zero, couple] });
-        reader.structure.loads.push(Load { label, ..load });
-    }
-    true
-}
-
 /// The rest of a structure; none without nodes.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Structure> {
     let has_nodes = !reader.structure.nodes.is_empty();
@@ -502,101 +301,6 @@ fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
         found.push(Support { name, node, holds, angle, span: fields.span.clone() });
     }
     found
-}
-
-fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
-    let per_length = Dimension::of(0, 1, -2);
-    for (name, fields) in rows(reader, top, "distributed", &fields::structures::LINE_LOAD, Owner::Structure) {
-        let Some((rod, span)) = fields.name(reader, "on") else { continue };
-        let Some(&rod) = reader.structure.rod_index.get(&rod) else {
-            unknown_site(reader, &rod, span);
-            continue;
-        };
-        let start = plane_vector(reader, &fields, "value", &Context::TIME, &per_length);
-        let end = if fields.has("value_end") { plane_vector(reader, &fields, "value_end", &Context::TIME, &per_length) } else { start };
-        reader.structure.loads.push(Load::of("distributed", &name, Action::Distributed { rod, value: [start, end] }));
-    }
-}
-
-fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Displacement> {
-    let mut found = Vec::new();
-    for (name, fields) in top.entries(reader, "displacements", &fields::structures::DISPLACEMENT) {
-        let label = fields.text(reader, "label").unwrap_or_else(Text::default);
-        let direction = direction(reader, &fields);
-        if let (Some(site), Some(direction)) = (site(reader, &fields, "at"), direction) {
-            found.push(Displacement { name, label, site, direction, loaded: false });
-        }
-    }
-    found
-}
-
-fn direction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Direction> {
-    let (zero, one) = (reader.builder.graph.zero(), reader.builder.graph.one());
-    match fields.get("direction").map(|v| (v, v.get_ref())) {
-        None => Some(Direction::Along([zero, one])),
-        Some((value, DeValue::Array(_))) => {
-            let parts = components(reader, value, &Context::CONSTANT, &Dimension::NONE);
-            let [x, y] = plane::along(reader, value, parts);
-            Some(Direction::Along(unit(reader, x, y)))
-        }
-        Some((value, _)) => {
-            let (word, span) = string(reader, value, "\"x\", \"y\", \"turn\" or a vector", "\"x\", \"y\", \"turn\" или вектор")?;
-            one_of(reader, &word, span, &["x", "y", "turn"]).map(|k| match k {
-                0 => Direction::Along([one, zero]),
-                1 => Direction::Along([zero, one]),
-                _ => Direction::Turn,
-            })
-        }
-    }
-}
-
-fn unit(reader: &mut Reader, x: Expr, y: Expr) -> [Expr; 2] {
-    let graph = &mut reader.builder.graph;
-    let (xx, yy) = (graph.square(x), graph.square(y));
-    let sum = graph.add(xx, yy);
-    let size = graph.pow(sum, &Rational::new(-1, 2).unwrap_or(Rational::ONE));
-    [graph.mul(x, size), graph.mul(y, size)]
-}
-
-/// `[rayleigh]`: shapes over the distance s, which is a name in these formulas only: everything else is read already.
-fn rayleigh<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<AssumedShape> {
-    let rows = top.entries(reader, "rayleigh", &fields::structures::RAYLEIGH);
-    if rows.is_empty() {
-        return Vec::new();
-    }
-    let distance = reader.builder.graph.symbol_id("s", 0);
-    if reader.claimed.contains_key("s") {
-        let fault = Notice::piece(
-            "M010",
-            top.span_of("rayleigh"),
-            "`s` is the distance along the rod in [rayleigh]",
-            "`s` в [rayleigh] — расстояние вдоль стержня",
-        )
-        .help("rename the parameter `s`", "переименуйте величину `s`");
-        reader.fault(fault);
-        return Vec::new();
-    }
-    let entry = Entry { kind: EntryKind::Parameter(distance), dimension: Kind::Known(Dimension::LENGTH), depends: Depends::TIME };
-    reader.scope.declare("s", entry);
-    rows.into_iter().filter_map(|(name, fields)| assumed(reader, name, &fields, distance)).collect()
-}
-
-fn assumed<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>, distance: SymbolId) -> Option<AssumedShape> {
-    let label = fields.text(reader, "label").unwrap_or_default();
-    let (rod, span) = fields.name(reader, "on")?;
-    let Some(&rod) = reader.structure.rod_index.get(&rod) else {
-        unknown_site(reader, &rod, span);
-        return None;
-    };
-    let shape = fields.formula(reader, "shape", &Context::TIME, None)?;
-    let at = match fields.formula(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH)) {
-        Some(at) => at.expr,
-        None => reader.structure.rods[rod].length,
-    };
-    let graph = &mut reader.builder.graph;
-    let slope = graph.derivative(shape.expr, distance);
-    let curvature = graph.derivative(slope, distance);
-    shape.good.then_some(AssumedShape { name, label, rod, shape: shape.expr, slope, curvature, distance, at })
 }
 
 fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {

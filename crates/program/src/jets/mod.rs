@@ -17,7 +17,7 @@ pub(crate) mod steps;
 
 use crate::guard::needed;
 use crate::interpret::defective;
-use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
+use crate::{Bound, Evaluator, Fault, Mode, NO_SERIES, NOT_FINITE, Operation, Point, Register, Unary};
 use faithful::{Watch, Watched};
 use plan::Plan;
 use recurrences::Memory;
@@ -291,11 +291,11 @@ impl Jets {
             tape.body.iter().find(|i| self.plan.row_of(i.into) == Some(step.row()))
         });
         let Some(instruction) = first else {
-            return Fault::about("P006", tape.name.clone());
+            return Fault::about(NOT_FINITE, tape.name.clone());
         };
         let code = match &instruction.operation {
-            Operation::Unary(..) | Operation::Power(..) | Operation::Divide(..) | Operation::Atan2(..) => "P007",
-            _ => "P006",
+            Operation::Unary(..) | Operation::Power(..) | Operation::Divide(..) | Operation::Atan2(..) => NO_SERIES,
+            _ => NOT_FINITE,
         };
         let name = tape.roots.iter().find(|r| r.register >= instruction.into).map_or_else(String::new, |r| r.name.clone());
         Fault::new(code, &Text::same(name)).at(instruction.origin)

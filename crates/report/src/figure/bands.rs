@@ -5,6 +5,7 @@ use super::layout::{LEGEND_ROW, TEXT};
 use super::ticks;
 use super::width::text_width;
 use crate::escape::markup;
+use crate::palette::{FONTS, GRID, INK};
 use crate::rich::Rich;
 use crate::unit::Scale;
 use crate::wording::Word;
@@ -71,9 +72,6 @@ const NAMES: f64 = 190.0;
 const MARGIN: f64 = 16.0;
 /// Width of a box of the legend.
 const BOX: f64 = 22.0;
-const INK: &str = "#1a1a1a";
-const GRID: &str = "#e2e2e2";
-const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
 
 impl State {
     /// Fill: colours of Okabe and Ito, in lightness apart; open is a mere line.

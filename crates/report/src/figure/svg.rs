@@ -9,20 +9,17 @@ use super::tiles;
 use super::width::text_width;
 use super::{Axis, Figure, Kind, Mark, Pen, Title, decimate, style};
 use crate::escape::markup;
+use crate::palette::{FONTS, GRID, INK};
 use crate::rich::Inline;
 use crate::symbol;
 use crate::wording::Word;
 use std::fmt::Write;
 use words::Language;
 
-/// Fonts by preference; the first is the one that PNG files carry.
-const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
 /// Width of curves.
 const STROKE: f64 = 1.6;
-const INK: &str = "#1a1a1a";
 const SOFT: &str = "#5a5a5a";
 const BOUNDARY: &str = "fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"1.6\" stroke-linejoin=\"round\"";
-const GRID: &str = "#e2e2e2";
 
 /// The figure as an SVG document; one with a caption beside it needs no title above.
 pub fn write(figure: &Figure, title: Title, language: Language) -> String {

@@ -6,6 +6,7 @@ use super::axis::Axis;
 use super::field::{Field, Hatch, Key, STEPS, Tile};
 use super::layout::{Area, Ruler};
 use super::ticks;
+use crate::palette::INK;
 use std::fmt::Write;
 use words::Language;
 
@@ -115,7 +116,7 @@ fn lines(places: &[Box4], hatch: Hatch) -> String {
     if path.is_empty() {
         return path;
     }
-    let ink = if hatch == Hatch::Failed { "#8a8a8a" } else { "#1a1a1a" };
+    let ink = if hatch == Hatch::Failed { "#8a8a8a" } else { INK };
     // white below it, for dark tints
     format!(
         "<path d=\"{path}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"2\" stroke-opacity=\"0.6\"/>\n<path d=\"{path}\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"0.8\"/>\n"
@@ -150,7 +151,7 @@ pub(super) fn bar((axis, [low, high]): (&Axis, [f64; 2]), area: Area, language: 
             let (edge, text) = (left + width, crate::escape::markup(&tick.label));
             let _ = writeln!(
                 out,
-                "<path d=\"M{edge:.1} {y:.1}h4\" stroke=\"#1a1a1a\"/><text x=\"{:.1}\" y=\"{:.1}\">{text}</text>",
+                "<path d=\"M{edge:.1} {y:.1}h4\" stroke=\"{INK}\"/><text x=\"{:.1}\" y=\"{:.1}\">{text}</text>",
                 edge + 7.0,
                 y + 4.0
             );

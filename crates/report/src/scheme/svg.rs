@@ -4,13 +4,13 @@ use super::ink::{Fill, Ink, P, Shape, Stroke, Weight, polar};
 use super::labels::{Set, TEXT, placed};
 use super::{Item, LabelText, Scheme};
 use crate::escape::markup;
+use crate::palette::FONTS;
 use crate::symbol;
 use std::fmt::Write;
 use words::Language;
 
 /// Room around the drawing.
 const MARGIN: f64 = 10.0;
-const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
 
 impl Scheme {
     /// The picture as an SVG document.

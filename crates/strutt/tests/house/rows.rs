@@ -131,13 +131,15 @@ fn names_of_studies_stand_in_their_own_files() {
 }
 
 /// Where names of elements and connections stand outside their files and `studies::shown`, and why.
-const TABLE_NAMES: [(&str, &str, &str); 12] = [
+const TABLE_NAMES: [(&str, &str, &str); 14] = [
     ("mechanics", "connections::common::pair", "what belts, chains and gears share: how each of them turns its wheels"),
     ("mechanics", "connections::common::tracks", "what racks and rolling share"),
     ("mechanics", "connections::frictions::places", "what a friction may rub at"),
     ("mechanics", "connections::ropes", "a rope and a thread have one reading"),
     ("mechanics", "fields::structures", "rods and supports of a frame are tables of their own with the same names"),
-    ("mechanics", "read::structures", "the same, and loads on its nodes"),
+    ("mechanics", "read::structures", "the same"),
+    ("mechanics", "read::structures::loads", "loads on its nodes and rods"),
+    ("mechanics", "read::structures::owner", "whose a row of such a table is"),
     ("mechanics", "read::plane", "the weight of a rod of a frame"),
     ("mechanics", "read::parameters", "tables with which a file needs no coordinate"),
     ("mechanics", "formula::scope", "the force of a slider is its normal force"),

@@ -3,6 +3,7 @@
 use super::asked::Cycle;
 use super::tried::{Tried, turned};
 use crate::machine::Machine;
+use analysis::fault::codes;
 use words::digits::number;
 use words::{Notice, Text};
 
@@ -220,12 +221,12 @@ fn turning_with(first: f64, at: &mut impl FnMut(f64) -> Result<f64, Notice>) -> 
     for _ in 0..GROWN {
         match at(value) {
             Ok(found) => return Ok((value, found)),
-            Err(fault) if fault.code == "S046" => stalled = stalled.or(Some(fault)),
+            Err(fault) if fault.code == codes::STANDS => stalled = stalled.or(Some(fault)),
             Err(fault) => return Err(stalled.unwrap_or(fault)),
         }
         value *= 4.0;
     }
-    Err(stalled.unwrap_or_else(|| Notice::new("S046", "the shaft does not turn", "вал не вращается")))
+    Err(stalled.unwrap_or_else(|| Notice::new(codes::STANDS, "the shaft does not turn", "вал не вращается")))
 }
 
 /// How often the value of the file is multiplied by four.

@@ -4,6 +4,7 @@ use super::asked::Cycle;
 use super::tried::{pulling, turned};
 use crate::machine::Machine;
 use crate::results::{Fact, Results};
+use analysis::fault::codes;
 use analysis::studies::cycle::{Balance, Running};
 use serde_json::json;
 use words::{Notice, Text};
@@ -60,7 +61,7 @@ fn begins_struck(rate: f64) -> Text {
 pub(super) fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Notice> {
     match pulling(&mut machine.clone(), study) {
         Ok(notes) => results.data.notes.extend(notes.into_iter().map(|note| of_the_start(&note))),
-        Err(fault) if fault.code == "S116" => {
+        Err(fault) if fault.code == codes::STRAND_PUSHES => {
             results.words.push(of_the_start(&fault.message.what));
             results.words.push(Text::new(
                 "Nothing is said of the irregularity of that motion.",
@@ -72,7 +73,7 @@ pub(super) fn running(results: &mut Results, machine: &mut Machine, study: &Cycl
         Err(_) => {}
     }
     let Running { greatest: high, least: low, mean, struck, .. } = match turned(machine, study) {
-        Err(trouble) if trouble.code == "S046" => {
+        Err(trouble) if trouble.code == codes::STANDS => {
             results.words.push(Text::new(
                 "The motion from the start does not turn through the cycle: nothing is said of its irregularity.",
                 "Движение из заданного начала не проходит весь цикл: о неравномерности хода ничего не сказано.",

@@ -3,6 +3,7 @@
 use super::asked::Cycle;
 use crate::failure::in_words;
 use crate::machine::{Machine, explained};
+use analysis::fault::codes;
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::model::ParameterValue;
 use std::f64::consts::TAU;
@@ -90,7 +91,7 @@ impl Tried {
         let angle = angle(machine, study);
         let rate = study.speed.unwrap_or(start[n + angle]);
         if rate == 0.0 {
-            return Err(Notice::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
+            return Err(Notice::new(codes::STANDS, format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
                 .help("give `speed`, `period` or a starting rate", "задайте `speed`, `period` или начальную скорость"));
         }
         let range = TAU * study.turns.abs() * rate.signum();

@@ -151,6 +151,11 @@ pub enum Extra {
     Shard,
 }
 
+impl Extra {
+    /// Those of every study that integrates one motion.
+    pub const OF_A_MOTION: &'static [Extra] = &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches];
+}
+
 /// What becomes of a study that is interrupted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interrupts {
@@ -239,6 +244,17 @@ pub fn agreed(kind: &Kind, asked: Asked) -> Result<Asked, Failure> {
         Some(Objection { code, what, why, help, .. }) => Err(Notice::new(code, what.en, what.ru).because(why).cure(help).misuse()),
         None => Ok(asked),
     }
+}
+
+/// C054: `--turns` without a section that turns.
+///
+/// *Errors*: the section is no angle.
+pub fn turns_of_an_angle(line: &Asked, asked: &Asked) -> Result<(), Failure> {
+    if line.has("turns") && asked.coordinate("section").is_none() {
+        let (en, ru) = ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
+        return Err(idle("--turns", &Text::new(en, ru)));
+    }
+    Ok(())
 }
 
 /// C054: an option that would change nothing.

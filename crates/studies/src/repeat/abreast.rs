@@ -11,9 +11,10 @@ use crate::machine::bind::Binding;
 use crate::observable::Observable;
 use crate::simulate::{self, Simulate};
 use analysis::System;
+use analysis::interrupt::is_set;
 use analysis::studies::simulate::{Made, Wanted, fits};
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use words::Text;
 
 /// Values of a place by its number.
@@ -81,7 +82,7 @@ pub(crate) fn rows(
     (values, places): (Values<'_>, Range<usize>),
     interrupt: Option<&AtomicBool>,
 ) -> Vec<Row> {
-    let stopped = || interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
+    let stopped = || is_set(interrupt);
     // what is done one by one finds what the place before has left, as if nothing went in lanes
     let mut own = at.clone();
     let (mut waiting, mut motions): (Vec<Option<Waiting>>, Vec<Wanted<'_>>) = (Vec::new(), Vec::new());

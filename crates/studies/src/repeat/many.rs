@@ -5,6 +5,7 @@
 
 use super::one::At;
 use crate::watch::Spread;
+use analysis::interrupt::is_set;
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -51,7 +52,7 @@ pub fn block(count: usize) -> usize {
 
 /// The rows of a block one by one; fewer when it is interrupted.
 pub fn one_by_one<T>(at: &mut At, rows: Range<usize>, interrupt: Option<&AtomicBool>, run: &dyn Fn(&mut At, usize) -> T) -> Vec<T> {
-    let stopped = || interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
+    let stopped = || is_set(interrupt);
     // a row that was interrupted on its way is none
     rows.take_while(|_| !stopped()).map_while(|row| Some(run(at, row)).filter(|_| !stopped())).collect()
 }
@@ -61,7 +62,7 @@ pub fn rows<T: Send>(start: &At, rows: Range<usize>, shared: Shared<'_>, run: &(
     let blocks: Vec<Range<usize>> = rows.clone().step_by(shared.block).map(|from| from..(from + shared.block).min(rows.end)).collect();
     let done: Vec<Mutex<Vec<T>>> = blocks.iter().map(|_| Mutex::default()).collect();
     let next = AtomicUsize::new(0);
-    let stopped = || shared.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
+    let stopped = || is_set(shared.interrupt);
     let work = || {
         while let Some((k, rows)) = Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|k| Some((k, blocks.get(k)?.clone()))) {
             let mut at = start.clone();

@@ -4,6 +4,7 @@ pub mod asked;
 pub mod bent;
 pub mod beside;
 pub mod equation;
+mod figures;
 pub mod formulas;
 pub mod load;
 pub mod modes;
@@ -18,6 +19,7 @@ use crate::Finds;
 use crate::machine::Machine;
 use algebra::arrange::Arrange;
 use analysis::dataset::Column;
+use analysis::fault::codes;
 use analysis::linear::{LinearMachine, Place};
 use analysis::rest::closed_contacts;
 use analysis::rest::mean::Resting;
@@ -188,7 +190,7 @@ fn rest(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Result<Place, Fault>
     }
     match (first, fault) {
         (Some(place), _) => Ok(stable_below(linear, (&place, starts), None).unwrap_or(place)),
-        (None, Some(fault)) if fault.code == "S007" => fallen(linear, starts).ok_or(fault),
+        (None, Some(fault)) if fault.code == codes::NO_REST => fallen(linear, starts).ok_or(fault),
         (None, Some(fault)) => Err(fault),
         (None, None) => Err(analysis::studies::equilibrium::no_equilibrium()),
     }

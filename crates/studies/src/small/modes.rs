@@ -10,6 +10,7 @@ use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};
 use crate::wording::Word as Say;
 use analysis::dataset::{Column, Missing};
+use analysis::fault::codes;
 use analysis::linear::{Matrices, hidden_inertia};
 use analysis::rest::search::accelerated;
 use analysis::studies::modes::{self, Damping, Kind, Mode, Modes, Normalisation};
@@ -85,11 +86,8 @@ pub fn at_place(machine: &Machine, study: &Study) -> Result<Found, Fault> {
 /// Where no place of rest is found because none is needed, the fault says so.
 fn explained(fault: Fault, machine: &Machine) -> Fault {
     let needs_none = || about_start(machine).is_ok_and(|small| small.machine.same_everywhere());
-    if fault.code == NO_REST && needs_none() { accelerated() } else { fault }
+    if fault.code == codes::NO_REST && needs_none() { accelerated() } else { fault }
 }
-
-/// Code of a place of rest that is not found.
-const NO_REST: &str = "S007";
 
 fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {
     if machine.equations.coordinates.is_empty() {

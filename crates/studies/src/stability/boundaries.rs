@@ -1,6 +1,7 @@
 //! Where a quantity of one variable changes its sign: between samples of different signs, and beside extremes between samples of one sign.
 
 use algebra::arrange::Arrange;
+use algebra::golden::Section;
 
 /// Halvings of an interval; each ends at neighbouring numbers.
 const HALVINGS: usize = 80;
@@ -8,8 +9,6 @@ const HALVINGS: usize = 80;
 const STEPS: usize = 60;
 /// An extreme must pass zero by this much, as a share of the larger of 1 and the samples about it: rounding of a trace.
 const PASSES: f64 = 1e-9;
-/// 2/(1 + √5).
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A change of sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,30 +91,17 @@ fn root<E>((mut low, mut high): (f64, f64), side: Side, f: &mut impl FnMut(f64) 
 }
 
 /// Place and value of the largest `towards * f` between two places.
-fn extreme<E>(
-    (mut low, mut high): (f64, f64),
-    (towards, beyond): (f64, f64),
-    f: &mut impl FnMut(f64) -> Result<f64, E>,
-) -> Result<(f64, f64), E> {
-    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-    let (mut x, mut y) = inner(low, high);
-    let (mut f_x, mut f_y) = (f(x)?, f(y)?);
+fn extreme<E>(ends: (f64, f64), (towards, beyond): (f64, f64), f: &mut impl FnMut(f64) -> Result<f64, E>) -> Result<(f64, f64), E> {
+    let above = |a: &f64, b: &f64| towards * a > towards * b;
+    let mut section = Section::new([ends.0, ends.1], &mut *f)?;
     for _ in 0..STEPS {
         // a value clearly beyond zero is all that is asked for
-        if towards * f_x > beyond || towards * f_y > beyond || high - low <= 1e-12 * high.abs() {
+        if section.values.iter().any(|value| towards * value > beyond) || section.length() <= 1e-12 * section.ends[1].abs() {
             break;
         }
-        if towards * f_x > towards * f_y {
-            (high, y, f_y) = (y, x, f_x);
-            x = inner(low, high).0;
-            f_x = f(x)?;
-        } else {
-            (low, x, f_x) = (x, y, f_y);
-            y = inner(low, high).1;
-            f_y = f(y)?;
-        }
+        section = section.narrowed(above, &mut *f)?;
     }
-    Ok(if towards * f_x > towards * f_y { (x, f_x) } else { (y, f_y) })
+    Ok(section.best(above))
 }
 
 #[cfg(test)]

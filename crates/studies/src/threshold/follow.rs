@@ -12,7 +12,6 @@ use crate::watch::Watch;
 use analysis::dataset::Audit;
 use analysis::studies::threshold::Side;
 use analysis::{Dataset, Quantity};
-use std::sync::atomic::Ordering;
 use words::digits::{seven_digits, ten_digits};
 use words::{Notice, Text};
 
@@ -149,7 +148,7 @@ impl<'a, 'w> Follow<'a, 'w> {
 
     /// The repeated study at a value of the parameter.
     pub(super) fn run(&mut self, place: f64) -> Result<Results, Notice> {
-        if self.watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+        if self.watch.is_interrupted() {
             return Err(interrupted(self.evaluations));
         }
         self.evaluations += 1;

@@ -9,7 +9,6 @@ use report::table::Column;
 use report::{Block, Cell, Table};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::sync::atomic::Ordering;
 use words::{Language, Notice, Text};
 
 /// Significant digits of tables.
@@ -113,7 +112,7 @@ pub struct Overview {
 pub fn check(class: &mut Class, model: &Model, members: &[(String, Result<Member, Notice>)], watch: &mut Watch) -> Overview {
     let mut overview = Overview { title: model.title.clone(), answers: model.answers.clone(), ..Overview::default() };
     for (i, (name, member)) in members.iter().enumerate() {
-        if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+        if watch.is_interrupted() {
             overview.partial = true;
             break;
         }

@@ -126,7 +126,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.guess = h;
         match fault {
             // what has no value however short the step is a singularity that the motion runs into
-            Some(fault) if self.vanishes(h) => Err(if fault.code == "P006" { self.underflow() } else { fault.during(self.now.high) }),
+            Some(fault) if self.vanishes(h) => {
+                Err(if fault.code == program::NOT_FINITE { self.underflow() } else { fault.during(self.now.high) })
+            }
             _ => Ok(h),
         }
     }

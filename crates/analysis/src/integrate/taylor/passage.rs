@@ -14,6 +14,7 @@
 
 use super::flow::Flow;
 use super::over::{Over, Passage};
+use crate::fault::codes;
 use crate::integrate::step;
 use crate::{Fault, System};
 use algebra::elementary;
@@ -371,7 +372,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// A fault beside a change point is that of the change point.
     pub(super) fn explained(&self, fault: Fault) -> Fault {
         let Passage { best, least, .. } = self.passage;
-        let of_the_position = ["S003", "S013", "S017", "P013"].contains(&fault.code);
+        let of_the_position = [codes::UNDERFLOW, codes::APART, codes::CONTRADICTION, program::DEPENDENT].contains(&fault.code);
         if of_the_position && least < BLIND * best { self.at_change_point(0.0) } else { fault }
     }
 

@@ -3,6 +3,7 @@
 //! *Source*: L. N. Trefethen, Spectral Methods in MATLAB, 2000, ch. 3.
 
 use algebra::elementary;
+use algebra::golden::Section;
 use algebra::lu::Lu;
 use std::f64::consts::TAU;
 
@@ -128,28 +129,17 @@ pub(super) const NEAR: f64 = 1e-6;
 /// The turn of the greatest value between two speeds, by the golden section; the answers are those that a known one leads to.
 pub(super) fn greatest<T: Turning + ?Sized>(
     machine: &T,
-    ([mut low, mut high], near): ([f64; 2], &Turn),
+    (ends, near): ([f64; 2], &Turn),
     within: f64,
     of: &dyn Fn(&Turn) -> f64,
 ) -> Option<Turn> {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let value = |speed: f64| turn(machine, speed, Some(near));
-    let mut inner = [value(high - GOLDEN * (high - low))?, value(low + GOLDEN * (high - low))?];
-    while high - low > within * high.abs().max(low.abs()) {
-        if of(&inner[0]) > of(&inner[1]) {
-            high = inner[1].speed;
-            let next = value(high - GOLDEN * (high - low))?;
-            let [first, _] = inner;
-            inner = [next, first];
-        } else {
-            low = inner[0].speed;
-            let next = value(low + GOLDEN * (high - low))?;
-            let [_, second] = inner;
-            inner = [second, next];
-        }
+    let value = |speed: f64| turn(machine, speed, Some(near)).ok_or(());
+    let above = |a: &Turn, b: &Turn| of(a) > of(b);
+    let mut section = Section::new(ends, value).ok()?;
+    while section.length() > within * section.ends[1].abs().max(section.ends[0].abs()) {
+        section = section.narrowed(above, value).ok()?;
     }
-    let [first, second] = inner;
-    Some(if of(&first) > of(&second) { first } else { second })
+    Some(section.best(above).1)
 }
 
 /// Equally spaced instants of a turn, and the derivative by the angle there.

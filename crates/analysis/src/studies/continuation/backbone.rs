@@ -16,6 +16,7 @@ use super::orbits::directions;
 use super::places::Rests;
 use super::switching;
 use super::zeros::{Facts, Family, Local, Place, Sort, Zeros};
+use crate::fault::codes;
 use crate::studies::periodic::{Multiplier, Periodic, Shooting, Turned, of_family};
 use crate::{Fault, Machine, System};
 use algebra::eigen::general;
@@ -66,7 +67,7 @@ pub fn backbone(
     let n = machine.n_coordinates();
     let mut alone = Alone(machine);
     // a load in time gives and takes energy
-    let mut rests = Rests::new(&mut alone, start, 0.0, 1.0).map_err(|fault| if fault.code == "S154" { lossy() } else { fault })?;
+    let mut rests = Rests::new(&mut alone, start, 0.0, 1.0).map_err(|fault| if fault.code == codes::DRIVEN { lossy() } else { fault })?;
     let y = rests.settled(Rests::unknowns(start, n, 0.0))?;
     let scales = rests.local(&y)?.scales;
     let (x, scales) = (&y[..y.len() - 1], &scales[..y.len() - 1]);

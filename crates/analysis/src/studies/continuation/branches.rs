@@ -9,6 +9,7 @@ use super::places::Rests;
 use super::switching;
 use super::zeros::{Family, Place, Zeros};
 use crate::Fault;
+use crate::fault::codes;
 use crate::studies::periodic::{Periodic, Shooting};
 use algebra::elementary;
 
@@ -89,7 +90,7 @@ pub(super) fn whole(zeros: &mut dyn Zeros, y: Vec<f64>, of: Of, (options, diagra
         let curve = followed(zeros, start, options, diagram);
         // what the file says of the period is wrong, and not the branch
         if let Some(End::Stuck(_, Some(fault))) = &curve.ends[1]
-            && fault.code == "S150"
+            && fault.code == codes::NO_PERIOD
         {
             return Err(fault.clone());
         }

@@ -8,7 +8,8 @@ use super::signs;
 use super::touching;
 use super::zeros::{Local, Place, Sort, Zeros};
 use crate::Fault;
-use std::sync::atomic::{AtomicBool, Ordering};
+use crate::interrupt::is_set;
+use std::sync::atomic::AtomicBool;
 
 /// First step, as a share of the range of the parameter.
 pub(super) const FIRST: f64 = 0.01;
@@ -152,7 +153,7 @@ pub(super) struct Bounds<'a> {
 
 impl Bounds<'_> {
     fn interrupted(&self) -> bool {
-        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        is_set(self.interrupt)
     }
 
     /// The first bound on the way from a that b lies beyond.

@@ -4,7 +4,8 @@ use super::curve::{Bounds, Curve, FIRST};
 use super::locate::{Special, What};
 use super::relay;
 use super::zeros::{Place, Zeros};
-use std::sync::atomic::{AtomicBool, Ordering};
+use crate::interrupt::is_set;
+use std::sync::atomic::AtomicBool;
 
 /// What is asked of a diagram.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +29,7 @@ pub struct Options<'a> {
 impl Options<'_> {
     /// Whether the user has interrupted: what is left to follow is left then.
     pub(super) fn is_interrupted(&self) -> bool {
-        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        is_set(self.interrupt)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::zeros::Family;
 use crate::Fault;
+use crate::fault::codes;
 use crate::studies::periodic::Shooting;
 use words::{Message, Text};
 
@@ -38,7 +39,7 @@ pub(super) fn period_at(family: &mut dyn Family, y: &[f64], returns: Option<usiz
 
 fn no_period() -> Fault {
     Fault::new(Message {
-        code: "S150",
+        code: codes::NO_PERIOD,
         what: Text::new(
             "the motion is driven in time, and no period follows from the file",
             "движение вынужденное, а период из файла не следует",
@@ -58,7 +59,7 @@ fn no_period() -> Fault {
 pub(super) fn not_the_period(period: f64) -> Fault {
     let n = words::digits::number(period);
     Fault::new(Message {
-        code: "S150",
+        code: codes::NO_PERIOD,
         what: Text::new(
             format!("{} s is not a period of the loads at this value of the parameter", n.en),
             format!("{} с – не период нагрузок при этом значении параметра", n.ru),
@@ -77,7 +78,7 @@ pub(super) fn not_the_period(period: f64) -> Fault {
 /// The laws feel the turns that are taken off.
 pub(super) fn not_the_turn() -> Fault {
     Fault::new(Message {
-        code: "S150",
+        code: codes::NO_PERIOD,
         what: Text::new(
             "after its whole turns the machine is another one at this value of the parameter",
             "при этом значении параметра машина после целых оборотов уже не та же самая",

@@ -6,6 +6,7 @@
 
 use super::normal;
 use super::zeros::{Facts, Family, Local, Sort, Zeros};
+use crate::fault::codes;
 use crate::studies::periodic::{Multiplier, tangent_of};
 use crate::{Fault, GuardKind, Machine, Mode, Since, System};
 use algebra::eigen::general;
@@ -410,7 +411,7 @@ fn stable(roots: &[Multiplier]) -> Option<bool> {
 /// Time occurs in the equations.
 fn driven() -> Fault {
     Fault::new(Message {
-        code: "S154",
+        code: codes::DRIVEN,
         what: Text::new(
             "a machine driven in time has no place of rest to follow",
             "у машины с нагрузками, зависящими от времени, нет положений равновесия",

@@ -3,12 +3,12 @@
 //! Every quantity is a curve over the leading coordinate. It is replaced by polynomials through its values at Chebyshev's points ([`crate::proxies::proxy`]); the
 //! place of a value comes from the nearest place of the table. Extremes lie at the ends and where the derivative of a polynomial vanishes.
 
+use crate::fault::codes;
 use std::sync::Arc;
 
 use program::Behind;
 
 use super::stand::Stand;
-use super::turning;
 use super::walk::{Observer, Place, Walk};
 use crate::dataset::Extreme;
 use crate::marks::course::Course;
@@ -58,7 +58,7 @@ impl Curve<'_, '_, '_> {
         let new = near(nearest) > self.spacing;
         let nearest = self.stands[nearest].clone();
         match self.walk.at(&nearest, s) {
-            Err(fault) if fault.code == turning::SINGULAR => self.walk.between(&nearest, s).ok(),
+            Err(fault) if fault.code == codes::BRANCHING => self.walk.between(&nearest, s).ok(),
             Err(_) => None,
             Ok((stand, place)) => {
                 if new {

@@ -3,6 +3,7 @@
 //! z = (q, s) moves along the direction v with [J; E] v_q + (r/w; -d') v_s = 0, |v| = 1 (angles times their arm). At a dead point v_s passes zero: it is
 //! located there by bisection of the length.
 
+use crate::fault::codes;
 use algebra::elementary;
 use words::{Message, Text};
 
@@ -18,8 +19,6 @@ const STEP: f64 = 0.01;
 const STEPS: usize = 4000;
 // some hundred units of the last place of the terms that meet
 const TOLERANCE: f64 = 1e-13;
-/// Code of the fault of a position in which the way branches.
-pub(super) const SINGULAR: &str = "S028";
 const BISECTIONS: usize = 60;
 
 /// A place on the way by its length.
@@ -157,7 +156,7 @@ impl Linkage<'_> {
         let s = ten_digits(s);
         let driven = self.driven_names();
         Fault::new(Message {
-            code: SINGULAR,
+            code: codes::BRANCHING,
             what: Text::new(
                 format!("the linkage cannot be followed at `{driven}` = {}: {}", s.en, place.en),
                 format!("механизм нельзя проследить при `{driven}` = {}: {}", s.ru, place.ru),

@@ -1,12 +1,12 @@
 //! The walk along the way, place by place.
 
 use crate::audits::worse;
+use crate::fault::codes;
 use std::sync::Arc;
 use words::{Message, Text};
 
 use super::linkage::{Linkage, Spot, spot};
 use super::stand::Stand;
-use super::turning;
 use super::way::Doubts;
 use crate::Fault;
 use crate::dataset::{Audit, Extreme};
@@ -92,7 +92,7 @@ impl Walk<'_, '_> {
                     place
                 }
                 // a position that can be passed and not stood on: the way goes on from the place before
-                Err(fault) if fault.code == turning::SINGULAR => {
+                Err(fault) if fault.code == codes::BRANCHING => {
                     found.notes.push(change_point(s));
                     self.between(&here, s)?
                 }
@@ -116,7 +116,7 @@ impl Walk<'_, '_> {
         let lead = start[self.linkage.over];
         let away = if lead == from { at.last().copied().unwrap_or(from) - from } else { lead - from };
         match self.begin(start, from) {
-            Err(fault) if fault.code == turning::SINGULAR => {
+            Err(fault) if fault.code == codes::BRANCHING => {
                 let beside = from + BESIDE * self.linkage.stride() * away.signum();
                 self.begin(start, beside).map_err(|_| fault)
             }

@@ -6,8 +6,8 @@
 use super::extrapolation;
 use super::linkage::{Linkage, Spot};
 use super::stand::Stand;
-use super::turning::SINGULAR;
 use crate::Fault;
+use crate::fault::codes;
 
 /// Error of a step of the integral, relative to a radian or to the arm.
 const TOLERANCE: f64 = 1e-14;
@@ -94,7 +94,7 @@ impl Linkage<'_> {
                 Err(stuck) => here = stuck,
             }
             here = match self.turn(&here, to) {
-                Err(fault) if fault.code == SINGULAR => self.leap(&here, to, doubts).ok_or(fault)?,
+                Err(fault) if fault.code == codes::BRANCHING => self.leap(&here, to, doubts).ok_or(fault)?,
                 other => other?,
             };
         }

@@ -3,6 +3,7 @@
 use super::options::{Periodic, Return};
 use crate::Fault;
 use crate::dataset::Audit;
+use crate::fault::codes;
 use words::digits::{number, rounded};
 use words::{Message, Text};
 
@@ -24,7 +25,7 @@ pub(super) fn no_return(name: &Text, options: &Periodic<'_>) -> Fault {
         ),
     };
     Fault::new(Message {
-        code: "S041",
+        code: codes::NEVER_BACK,
         what: Text::new(
             format!("{} does not come back within {} s", name.en, n.en),
             format!("{} не возвращается в течение {} с", name.ru, n.ru),
@@ -41,7 +42,7 @@ pub(super) fn no_return(name: &Text, options: &Periodic<'_>) -> Fault {
 pub(super) fn unsettled(residual: f64, turns: usize) -> Fault {
     let n = rounded(residual);
     Fault::new(Message {
-        code: "S042",
+        code: codes::NO_REGIME,
         what: Text::new(
             format!("no periodic regime was found in {turns} turns; the motion still misses its start by {} of its range", n.en),
             format!("за {turns} оборотов периодический режим не найден; движение не возвращается в начало на {} своего размаха", n.ru),
@@ -67,7 +68,7 @@ pub(super) fn driven(given: Option<f64>) -> Fault {
         }
     };
     Fault::new(Message {
-        code: "S043",
+        code: codes::FORCED,
         what,
         why: Text::new(
             "a forced motion can repeat only after whole periods of its forcing",
@@ -113,7 +114,7 @@ pub(super) fn nothing_moves() -> Fault {
 pub(super) fn no_derivative(t: f64) -> Fault {
     let n = rounded(t);
     Fault::new(Message {
-        code: "S054",
+        code: codes::NO_DERIVATIVE,
         what: Text::new(
             format!("at t = {} s the equations have no derivative by the state", n.en),
             format!("при t = {} с уравнения не имеют производной по состоянию", n.ru),
@@ -133,7 +134,7 @@ pub(super) fn no_derivative(t: f64) -> Fault {
 pub(super) fn too_quick(t: f64) -> Fault {
     let n = rounded(t);
     Fault::new(Message {
-        code: "S055",
+        code: codes::NO_VARIATIONS,
         what: Text::new(
             format!("the variations cannot be followed beyond t = {} s", n.en),
             format!("решения в вариациях не удаётся продолжить дальше t = {} с", n.ru),

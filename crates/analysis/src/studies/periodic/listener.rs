@@ -1,6 +1,7 @@
 //! Who listens to a search whose length nobody knows beforehand: it is told what is done, and may ask for the end.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use crate::interrupt::is_set;
+use std::sync::atomic::AtomicBool;
 
 /// What a search does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +35,6 @@ impl Listener<'_> {
 
     /// Whether the search is to end.
     pub(super) fn is_interrupted(&self) -> bool {
-        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        is_set(self.interrupt)
     }
 }

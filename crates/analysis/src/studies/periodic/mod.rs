@@ -24,11 +24,13 @@ mod orbit;
 mod own;
 mod pieces;
 mod rest;
+mod search;
 mod shooting;
 mod slopes;
 mod spectrum;
 mod square;
 mod symmetry;
+mod trial;
 mod turns;
 mod variation;
 mod verdict;
@@ -43,6 +45,7 @@ pub(in crate::studies) use spectrum::{name_shift, named, of_family};
 pub(in crate::studies) use variation::CORRECTS;
 pub use verdict::NEUTRAL;
 
+use crate::fault::codes;
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;
 use verdict::stable;
@@ -214,7 +217,7 @@ fn liouville(off: f64) -> Audit {
 /// A turn that closes; a motion that repeats only after several returns is given them.
 fn returned<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     let first = newton::solve(system, start, options);
-    if options.returns > 1 || !matches!(options.by, Return::Automatic) || !first.as_ref().is_err_and(|f| f.code == "S042") {
+    if options.returns > 1 || !matches!(options.by, Return::Automatic) || !first.as_ref().is_err_and(|f| f.code == codes::NO_REGIME) {
         return first;
     }
     for returns in 2..=RETURNS {
@@ -256,7 +259,7 @@ fn multipliers<S: System + ?Sized>(
 ) -> Result<Option<Vec<Multiplier>>, Fault> {
     let (turn, blur) = match found.turn(system) {
         Ok(found) => found,
-        Err(fault) if fault.code == "S054" || fault.code == "S055" => {
+        Err(fault) if fault.code == codes::NO_DERIVATIVE || fault.code == codes::NO_VARIATIONS => {
             dataset.notes.push(no_multipliers(&fault));
             return Ok(None);
         }

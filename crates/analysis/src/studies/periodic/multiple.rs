@@ -11,12 +11,14 @@
 
 use super::found::Found;
 use super::fundamental::{self, Blur};
-use super::newton::{self, ENOUGH, Search};
+use super::newton::ENOUGH;
 use super::options::{Multiplier, Periodic};
 use super::orbit::{Orbit, follow};
 use super::pieces::way;
+use super::search::{Search, prepare};
 use super::slopes::slopes;
 use super::spectrum::{name_shift, named};
+use super::trial::{opened, scales};
 use super::variation::{self, Care};
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, System};
@@ -81,9 +83,9 @@ pub(super) fn solve<'o, S: System + ?Sized>(
     start: &[f64],
     options: &Periodic<'o>,
 ) -> Result<Option<(Found<'o>, Parts)>, Fault> {
-    let (slow, tried) = newton::opened(system, start, options)?;
+    let (slow, tried) = opened(system, start, options)?;
     let options = &slow;
-    let (mut search, x) = newton::prepare(system, start, tried, options)?;
+    let (mut search, x) = prepare(system, start, tried, options)?;
     let still = search.symmetry.frame.as_ref().is_none_or(|frame| frame.iter().all(|v| *v == 0.0));
     if system.is_tied() || !search.symmetry.shifts.is_empty() || !still {
         return Ok(None);
@@ -299,7 +301,7 @@ impl<'o> Sought<'_, 'o, '_> {
             let grown = self.grown(system, &orbits)?;
             let turn = joined(&orbits, self.period(&known));
             // of this motion, and not of the one that has run away from it
-            let scales = newton::scales(system, &turn, None, &self.search.floor);
+            let scales = scales(system, &turn, None, &self.search.floor);
             let alike = scales.iter().zip(&self.search.scales).all(|(now, before)| (0.5..=2.0).contains(&(now / before)));
             self.search.scales = scales;
             let finest = grown.iter().all(|g| *g <= GROWN);

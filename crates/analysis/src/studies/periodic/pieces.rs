@@ -2,8 +2,8 @@
 
 use super::fundamental;
 use super::listener::Listener;
-use super::newton;
 use super::orbit::{Jump, Orbit};
+use super::trial;
 use super::variation::Care;
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
@@ -50,7 +50,7 @@ pub(in crate::studies) fn piece<S: System + ?Sized>(
     (look, listener): (Look, Listener<'_>),
 ) -> Result<Piece, Fault> {
     let (orbit, end) = way(system, (t, x), until, options, STEPS)?;
-    let mut scales = newton::scales(system, &orbit, None, &[]);
+    let mut scales = trial::scales(system, &orbit, None, &[]);
     // what has died out has no size of its own any more, and beside its last digits nothing can be told
     let largest = scales.iter().copied().fold(0.0, f64::max);
     scales.iter_mut().for_each(|scale| *scale = scale.max(DEAD * largest));

@@ -9,6 +9,7 @@ use super::options::Multiplier;
 use super::orbit::Orbit;
 use super::spectrum;
 use super::verdict::stable;
+use crate::fault::codes;
 use crate::{Fault, System};
 use algebra::elementary;
 use words::{Message, Text};
@@ -60,7 +61,7 @@ const FADING: f64 = 1e-6;
 /// S041: no motion is left.
 pub(super) fn at_rest() -> Fault {
     Fault::new(Message {
-        code: "S041",
+        code: codes::NEVER_BACK,
         what: Text::new(
             "the machine comes to rest: no motion is left that could repeat, and rest has no period",
             "машина останавливается: движения, которое могло бы повторяться, не остаётся, а у покоя нет периода",

@@ -3,13 +3,13 @@
 
 use super::found::{Found, tangent};
 use super::fundamental::{self, Blur, Meeting};
-use super::newton;
 use super::options::{Multiplier, Periodic};
 use super::orbit::{Limit, Orbit, Section, follow};
 use super::spectrum::spectrum;
 use super::symmetry::Symmetry;
 use super::turns::{self, Known, Turns};
 use super::variation::Care;
+use super::{newton, trial};
 use crate::integrate::Step;
 use crate::integrate::crossings::{Change, Switch};
 use crate::integrate::taylor::{Flow, Options};
@@ -131,7 +131,7 @@ impl<'o> Shooting<'o> {
 
     /// Takes larger scales where a regime has become larger than all before it.
     pub(in crate::studies) fn widen<S: System + ?Sized>(&mut self, system: &S, turned: &Turned<'_>) {
-        let now = newton::scales(system, &turned.0.orbit, None, &[]);
+        let now = trial::scales(system, &turned.0.orbit, None, &[]);
         self.found.scales.iter_mut().zip(now).for_each(|(scale, now)| *scale = scale.max(now));
     }
 

@@ -6,11 +6,12 @@ use crate::audits::second::two_derivations;
 use crate::ensemble::{Flow, Fresh, State};
 use crate::integrate::stiff::Method;
 use crate::integrate::{Samples, Step, is_smooth, note};
+use crate::interrupt::is_set;
 use crate::machine::lanes::InLane;
 use crate::{Machine, Mode, System};
 use program::ensemble::{LANES, Layout};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use words::Text;
 
 /// A motion that is asked for.
@@ -167,7 +168,7 @@ fn run(group: &Group, rows: Vec<(usize, usize, Row<'_, '_>)>, made: &mut [Made],
                 *own = Some((i, row));
             }
         }
-        let stopped = interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
+        let stopped = is_set(interrupt);
         if stopped || lanes.iter().all(Option::is_none) {
             return;
         }

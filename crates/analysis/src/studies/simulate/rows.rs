@@ -1,6 +1,6 @@
 //! The rows of a table: values at the requested times inside the steps. Where their number follows from that of the steps, the steps wait.
 
-use std::sync::atomic::Ordering;
+use crate::interrupt::is_set;
 
 use super::options::{Grid, Simulate, parts, requested, settled};
 use super::run::{Run, Waiting, timed};
@@ -65,7 +65,7 @@ impl Run {
                 None => self.fill(system, t, row, &step.modes)?,
             }
             self.next += 1;
-            if self.next.is_multiple_of(ROWS) && options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            if self.next.is_multiple_of(ROWS) && is_set(options.interrupt) {
                 break;
             }
         }

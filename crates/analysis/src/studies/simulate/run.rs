@@ -1,7 +1,7 @@
 //! A run: what is looked at, recorded and told of a motion on its way.
 
+use crate::interrupt::is_set;
 use algebra::arrange::Arrange;
-use std::sync::atomic::Ordering;
 use words::Text;
 
 use super::options::{EVENTS, Grid, Kept, Simulate, check, choose, requested, untraced};
@@ -241,7 +241,7 @@ impl Run {
     /// To an instant, or to what ends the motion before it.
     fn pass<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, end: f64, options: &mut Simulate<'_>) -> Result<Passed, Fault> {
         while !flow.reached(end) {
-            if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            if is_set(options.interrupt) {
                 self.interrupted = true;
                 return Ok(Passed::Ended);
             }

@@ -14,7 +14,9 @@
 use super::diagram::{Damped, Diagram, Equations};
 use crate::marks::bracketed;
 use algebra::elementary;
+use algebra::golden::Section;
 use algebra::mathieu::Parity;
+use std::convert::Infallible;
 
 /// Places of a row for each tongue in it at first, and how often four times as many are taken where counts of zeros do not follow one another.
 const PER_TONGUE: usize = 24;
@@ -300,20 +302,14 @@ impl<E: Equations> Plane<'_, E> {
     }
 
     /// The place of the largest excess, and the excess of the equation itself there.
-    fn top(&self, at: (usize, f64), [mut low, mut high]: [f64; 2]) -> (f64, f64) {
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let value = |s: f64| (s, self.excess(at, s));
-        let mut inner = [value(high - GOLDEN * (high - low)), value(low + GOLDEN * (high - low))];
+    fn top(&self, at: (usize, f64), ends: [f64; 2]) -> (f64, f64) {
+        let value = |s: f64| Ok::<f64, Infallible>(self.excess(at, s));
+        let Ok(mut section) = Section::new(ends, value);
         for _ in 0..TOP {
-            if inner[0].1 > inner[1].1 {
-                high = inner[1].0;
-                inner = [value(high - GOLDEN * (high - low)), inner[0]];
-            } else {
-                low = inner[0].0;
-                inner = [inner[1], value(low + GOLDEN * (high - low))];
-            }
+            let Ok(next) = section.narrowed(|a, b| a > b, value);
+            section = next;
         }
-        let best = if inner[0].1 > inner[1].1 { inner[0].0 } else { inner[1].0 };
+        let (best, _) = section.best(|a, b| a > b);
         (best, self.exact_excess(at, best))
     }
 
