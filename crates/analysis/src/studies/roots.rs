@@ -148,21 +148,8 @@ pub(super) fn roots(system: &Matrices, basis: &Basis, values: Option<&Vec<f64>>)
     let Matrices { damping, stiffness, .. } = system.reduced(&columns, n);
     let free = Free::new(system, basis, values);
     let kept: Vec<usize> = (0..n).filter(|j| !free.pivots.contains(j)).collect();
-    let size = kept.len() + n;
-    let mut a = vec![0.0; size * size];
-    for (r, i) in kept.iter().enumerate() {
-        a[r * size + kept.len() + i] = 1.0;
-        for (z, pivot) in free.right.iter().zip(&free.pivots) {
-            a[r * size + kept.len() + pivot] = -z[*i];
-        }
-    }
     let held = |i: usize| values.is_some() && free.pivots.contains(&i);
-    for i in 0..n {
-        let row = &mut a[(kept.len() + i) * size..(kept.len() + i + 1) * size];
-        kept.iter().enumerate().filter(|_| !held(i)).for_each(|(c, j)| row[c] = -stiffness[i * n + j]);
-        (0..n).for_each(|j| row[kept.len() + j] = -damping[i * n + j]);
-    }
-    let found = eigen::general(size, &a)?;
+    let found = eigen::general(kept.len() + n, &first_order((&damping, &stiffness), &free, &kept, &held))?;
     let mut modes: Vec<Mode> = free.right.iter().map(|z| still(basis.expand(&z.iter().map(|v| (*v, 0.0)).collect::<Vec<_>>()))).collect();
     let list = pairs(&found.values);
     let fastest = list.iter().fold(0.0_f64, |m, v| m.max(elementary::hypot(v.0, v.1)));
@@ -210,6 +197,25 @@ pub(super) fn roots(system: &Matrices, basis: &Basis, values: Option<&Vec<f64>>)
         modes.push(moving(root, shape));
     }
     Ok((modes, (doubtful > 0.0).then(|| unclear(doubtful))))
+}
+
+/// The matrix of (b, z') in first order, row-major; `held`: rows without stiffness.
+fn first_order((damping, stiffness): (&[f64], &[f64]), free: &Free, kept: &[usize], held: &dyn Fn(usize) -> bool) -> Vec<f64> {
+    let n = kept.len() + free.pivots.len();
+    let size = kept.len() + n;
+    let mut a = vec![0.0; size * size];
+    for (r, i) in kept.iter().enumerate() {
+        a[r * size + kept.len() + i] = 1.0;
+        for (z, pivot) in free.right.iter().zip(&free.pivots) {
+            a[r * size + kept.len() + pivot] = -z[*i];
+        }
+    }
+    for i in 0..n {
+        let row = &mut a[(kept.len() + i) * size..(kept.len() + i + 1) * size];
+        kept.iter().enumerate().filter(|_| !held(i)).for_each(|(c, j)| row[c] = -stiffness[i * n + j]);
+        (0..n).for_each(|j| row[kept.len() + j] = -damping[i * n + j]);
+    }
+    a
 }
 
 /// The root with its shape to the last digits; none of one with a negative imaginary part, which its conjugate stands for.
