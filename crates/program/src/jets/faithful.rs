@@ -42,6 +42,11 @@ impl Watched {
     pub(super) fn is_power(&self) -> bool {
         matches!(self.curve, Curve::Root | Curve::Power(_))
     }
+
+    /// Whether the operation is a root of what may be zero: a fractional power is never negative.
+    fn has_no_negative(&self) -> bool {
+        matches!(self.curve, Curve::Root) || matches!(self.curve, Curve::Power(p) if p > 0.0 && p.fract() != 0.0)
+    }
 }
 
 /// How much further than its polynomial a function may range without being looked at closely.
@@ -143,6 +148,8 @@ impl Watch {
             Curve::Quotient => self.way(rows, b) <= NEAR * rows.row(b)[0].abs(),
             Curve::Root | Curve::Power(_) if is_singular(rows, node) => false,
             Curve::Root | Curve::Power(_) | Curve::Log if way_a <= NEAR * row[0].abs() => true,
+            // the polynomial of a root may fall below zero, which the root does not
+            Curve::Root | Curve::Power(_) if node.has_no_negative() && self.way(rows, c) > rows.row(c)[0] => false,
             Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh if way_a <= 1.0 => true,
             Curve::Asin | Curve::Acos if row[0].abs() + way_a <= 0.9 => true,
             // the singular points of both are at ±i
@@ -361,6 +368,10 @@ fn is_good(node: Watched, part: &Part, allowed: f64) -> bool {
         let turn = 2.0 * std::f64::consts::PI;
         let turns = ((c.low + c.high - f.low - f.high) / (2.0 * turn)).round() * turn;
         f = Range { low: f.low + turns, high: f.high + turns };
+    }
+    // behind a zero of even order of its argument the polynomial of a root goes on as the other root, which is negative: √((1 - t)²) as 1 - t
+    if node.has_no_negative() && c.low < -allowed {
+        return false;
     }
     let off = (f.high - c.high).max(c.low - f.low);
     off <= allowed || off <= share_beside(node) * f.width() && f.width().is_finite()
