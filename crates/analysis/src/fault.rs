@@ -117,9 +117,9 @@ pub(crate) const OVERFLOW_RU: &str = "Результат бесконечен и
     рядом с массой 1e-300 кг, слишком долго прослеженное нарастающее движение. Проверьте единицы параметров. Неверно: m = 1e300 kg. Верно: числа, возможные \
     для машины.";
 pub(crate) const REACTION_EN: &str = "The study `response` finds the amplitudes of reactions from the equations of motion and the balances of bodies, linear in small motions. Dry friction and \
-    one-sided contacts have no part in these, and their forces have no amplitude; and a unit load on a coordinate (load = \"x\") acts at no point, so that reactions in \
+    contacts that are open at the place of rest have no part in these, and their forces have no amplitude; and a unit load on a coordinate (load = \"x\") acts at no point, so that reactions in \
     directions without a coordinate do not follow. Right: an output over a pin, rod, support; a load that is a force of the file.";
-pub(crate) const REACTION_RU: &str = "Расчёт `response` находит амплитуды реакций из уравнений движения и равновесия тел, линейных в малых движениях. Сухое трение и односторонние контакты \
+pub(crate) const REACTION_RU: &str = "Расчёт `response` находит амплитуды реакций из уравнений движения и равновесия тел, линейных в малых движениях. Сухое трение и контакты, разомкнутые в положении равновесия, \
     в них не входят, и амплитуды их сил не существуют; единичная нагрузка по координате (load = \"x\") не приложена ни к какой точке, поэтому реакции в направлениях без \
     координаты из неё не следуют. Верно: величина с реакцией шарнира, стержня, опоры; нагрузка – сила из файла.";
 pub(crate) const PERIODIC_EN: &str = "The study `response` gives the steady oscillation under periodic loads. Time may stand in sines and cosines of p t + d, also inside sign, abs, \

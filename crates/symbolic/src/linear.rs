@@ -10,7 +10,7 @@
 //!
 //! Ideal connections add their reactions λ to h, so that C contains the stiffness that they have by the change of their directions,
 //! -Σ λ_k ∂²c_k/∂q², and conditions stand beside the equations: J δq = 0, of conditions G(q) q' + g(q) = 0 on rates
-//! G δq' + ∂(G q' + g)/∂q δq = 0. Dry friction and one-sided contacts are left out.
+//! G δq' + ∂(G q' + g)/∂q δq = 0. Dry friction and contacts are left out; those that stay closed are given as lasting connections.
 //!
 //! Loads in time are split into their mean, which decides the equilibrium, and harmonics c cos ν t + s sin ν t, which force small
 //! oscillations. Turn angles of prescribed speed are speed·t. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 6.
@@ -193,7 +193,6 @@ impl Linear {
     fn connect(&mut self, equations: &Equations) {
         let n = self.coordinates.len();
         let ideal = |condition: usize| equations.reactions.iter().find(|r| matches!(r.law, Law::Ideal { condition: c } if c == condition));
-        self.timing.smoothed = equations.reactions.iter().any(|r| matches!(r.law, Law::Contact { .. } | Law::Friction(_)));
         let graph = &mut self.graph;
         let zero = graph.zero();
         let mut inline = Substitution::new(self.moving.iter().copied());

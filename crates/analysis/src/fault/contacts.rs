@@ -1,7 +1,7 @@
 //! Contacts and their impacts.
 
 use crate::fault::codes;
-use words::{Message, Text};
+use words::{Message, Notice, Text};
 
 use super::Fault;
 use words::digits::{number, rounded};
@@ -68,6 +68,22 @@ impl Fault {
                 "уменьшите коэффициент трения, повысьте предел трения покоя, измените направление движения, начните с покоя или сделайте контакт податливым (пружина с демпфером)",
             ),
         })
+    }
+
+    /// The same of a motion that contacts would determine if they were not open at the time `t`.
+    pub(crate) fn while_open(self, contacts: &[&Text], t: f64) -> Fault {
+        let list = |name: fn(&Text) -> &str| contacts.iter().map(|c| format!("`{}`", name(c))).collect::<Vec<_>>().join(", ");
+        let (en, ru) = (list(|c| &c.en), list(|c| &c.ru));
+        let Message { code, what, .. } = *Notice::from(self).message;
+        let why = Text::new(
+            format!("nothing acts through {en} there, which is slack or open, and nothing else determines it"),
+            format!("через {ru} там ничего не передаётся (слабина или зазор), а ничто другое этого не определяет"),
+        );
+        let help = Text::new(
+            "keep it taut or closed (its length, the start, a prescribed motion that does not outrun it), or let the motor act on what the motion prescribes",
+            "обеспечьте натяжение или контакт (длина, начальное положение, заданное движение, которое их не обгоняет) или приложите двигатель к тому, чьё движение задано",
+        );
+        Fault::new(Message { code, what, why, help }).during(t)
     }
 
     /// A rope whose length is missing at the start.

@@ -13,7 +13,7 @@
 //! ```
 //!
 //! There are at least as many rows as reactions, and they agree where δq is a motion of the machine. A quantity y(q, q', q'', t, λ) then has, by the chain rule
-//! with ∂y/∂λ, the same form as one without reactions. Dry friction and one-sided contacts are left out, as in all small motions.
+//! with ∂y/∂λ, the same form as one without reactions. Dry friction and open contacts are left out, as in all small motions; contacts that are closed at the place stay closed.
 
 use std::sync::Arc;
 use words::Message;
@@ -517,7 +517,7 @@ impl Solved {
 /// Why a reaction has no amplitude.
 #[derive(Clone, Copy)]
 enum Why {
-    /// Dry friction, a one-sided contact.
+    /// Dry friction, an open contact.
     LeftOut,
     /// Hidden, under a unit load on a coordinate.
     NoPlace,
@@ -527,8 +527,8 @@ fn without_amplitude(reaction: &str, why: Why) -> Fault {
     let (why, help) = match why {
         Why::LeftOut => (
             Text::new(
-                "dry friction and one-sided contacts are left out of small motions, and with them their forces",
-                "сухое трение и односторонние контакты в малых движениях не учитываются, а с ними и их силы",
+                "dry friction and contacts that are open at the place of rest are left out of small motions, and with them their forces",
+                "сухое трение и контакты, разомкнутые в положении равновесия, в малых движениях не учитываются, а с ними и их силы",
             ),
             Text::new(
                 "take the force from `simulate` once the motion has settled",

@@ -6,6 +6,7 @@
 use program::{Mode, Point};
 
 use super::Machine;
+use super::conditions::Holds;
 use crate::system::Blow;
 use crate::{Fault, GuardKind};
 
@@ -24,6 +25,22 @@ impl Machine {
         Some(values)
     }
 
+    /// Frictions, by guard, that no reaction presses: their limits are forces, not shares of impulses.
+    fn of_given_size(&mut self, t: f64, x: &[f64]) -> Vec<usize> {
+        let Some(conditions) = &mut self.conditions else { return Vec::new() };
+        let Ok(laws) = conditions.laws.evaluate(&Point { time: t, states: x, ..Point::default() }).map(<[f64]>::to_vec) else {
+            return Vec::new();
+        };
+        let own = |row: &super::conditions::Row| match row.holds {
+            Holds::Sticking(guard, friction) => {
+                let (_, pressing) = conditions.law(friction, &laws);
+                pressing.iter().all(|factors| factors.iter().all(|f| *f == 0.0)).then_some(guard)
+            }
+            _ => None,
+        };
+        conditions.rows.iter().filter_map(own).collect()
+    }
+
     /// See [`System::impulse_powers`].
     pub(super) fn powers_of(&mut self, t: f64, x: &[f64], modes: &[crate::Mode], impulses: &[f64]) -> Option<Vec<f64>> {
         self.observing.set(modes, &self.bound);
@@ -38,6 +55,10 @@ impl Machine {
             if *after == 0.0 && matches!(self.guards[*guard].kind, GuardKind::Friction { .. }) {
                 self.observing.modes[*guard] = Mode::Zero;
             }
+        }
+        // a force of given size gives no impulse in no time: it has no part in what is open
+        for guard in self.of_given_size(t, x) {
+            self.observing.modes[guard] = Mode::Positive;
         }
         let count = self.bound.program().reactions;
         let unit = |r: &usize| (0..count).map(|k| f64::from(u8::from(k == *r))).collect();

@@ -320,7 +320,7 @@ impl Conditions {
     }
 
     /// Coefficient at rest, factors of the reactions in both components of the normal force.
-    fn law<'l>(&self, friction: usize, laws: &'l [f64]) -> ([f64; 2], [&'l [f64]; 2]) {
+    pub(super) fn law<'l>(&self, friction: usize, laws: &'l [f64]) -> ([f64; 2], [&'l [f64]; 2]) {
         let width = 2 + 2 * self.reactions;
         let own = &laws[self.law_roots.frictions.start + friction * width..][..width];
         let (first, second) = own[2..].split_at(self.reactions);

@@ -43,7 +43,7 @@ impl Watched {
     fn is_positive(&self) -> bool {
         match self.curve {
             Curve::Root => true,
-            Curve::Power(p) => p.fract() != 0.0,
+            Curve::Power(p) => p > 0.0 && p.fract() != 0.0,
             _ => false,
         }
     }

@@ -35,7 +35,7 @@ pub fn expressions(graph: &Graph, name: &str, inputs: &Inputs, roots: &[(String,
 }
 
 #[derive(Clone, Copy)]
-enum Source {
+pub(super) enum Source {
     Parameter(u32),
     Time,
     State(u32),
@@ -259,7 +259,31 @@ impl<'g, 't> Lowering<'g, 't> {
         Ok(self.known(root))
     }
 
-    fn known(&self, e: Expr) -> Value {
+    pub(super) fn graph(&self) -> &'g Graph {
+        self.graph
+    }
+
+    pub(super) fn source(&self, s: SymbolId) -> Option<Source> {
+        self.sources[s.index()]
+    }
+
+    /// Whether a lowered formula is one over parameters only.
+    pub(super) fn is_still(&self, e: Expr) -> bool {
+        matches!(self.known(e), Value::Constant(_))
+    }
+
+    /// base^p.
+    pub(super) fn power(&mut self, base: Value, p: &Rational) -> Value {
+        self.builder.product(1.0, &[(base, p)])
+    }
+
+    /// A smooth function of one argument.
+    pub(super) fn smooth(&mut self, function: Function, argument: Value) -> Value {
+        self.builder.function(function, &[argument])
+    }
+
+    /// What has been lowered.
+    pub(super) fn known(&self, e: Expr) -> Value {
         self.values[e.index()].unwrap_or(Value::Plain(Register(0)))
     }
 
@@ -370,7 +394,7 @@ impl<'g, 't> Lowering<'g, 't> {
     fn switch(&mut self, kind: Construct, (left, right): (Expr, Option<Expr>), sides: [Value; 3]) -> Value {
         let mut items = vec![(1.0, self.known(left))];
         items.extend(right.map(|r| (-1.0, self.known(r))));
-        let difference = self.builder.sum(0.0, &items);
+        let difference = self.sign_of(left, right).unwrap_or_else(|| self.builder.sum(0.0, &items));
         let guard = self.builder.whole(difference);
         if self.builder.is_constant(guard) {
             return self.builder.branch(By::Value(guard), sides);

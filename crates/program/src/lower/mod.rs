@@ -10,6 +10,7 @@ mod inputs;
 mod journals;
 mod linkage;
 mod numbers;
+mod signs;
 mod steps;
 mod touches;
 

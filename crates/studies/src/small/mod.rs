@@ -18,6 +18,7 @@ mod touching;
 use crate::Finds;
 use crate::machine::Machine;
 use algebra::arrange::Arrange;
+use algebra::elementary;
 use analysis::dataset::Column;
 use analysis::fault::codes;
 use analysis::linear::{LinearMachine, Place};
@@ -25,7 +26,7 @@ use analysis::rest::closed_contacts;
 use analysis::rest::mean::Resting;
 use analysis::rest::places::Place as Rest;
 use analysis::studies::equilibrium::Equilibrium;
-use analysis::studies::modes::{self as natural, Normalisation};
+use analysis::studies::modes::{self as natural, Complex, Mode, Modes, Normalisation};
 use analysis::studies::rest::branch::{Beyond, Branch};
 use analysis::studies::rest::contacts::Contacts;
 use analysis::studies::rest::degenerate::{degenerate, remark, rests_beside};
@@ -33,9 +34,21 @@ use analysis::studies::rest::stability::with_closed;
 use analysis::studies::rest::{kinks, onesided};
 use analysis::{Dataset, Fault, Quantity, System};
 use std::sync::Arc;
+use symbolic::connections::Law;
 use symbolic::linear::{About, Timing};
 use symbolic::{Equations, SymbolId};
 use words::Text;
+
+/// A contact that only touches.
+#[derive(Clone, Debug)]
+struct Touch {
+    label: Text,
+    /// Slopes of its gap by the coordinates.
+    slopes: Vec<f64>,
+}
+
+/// Share of the terms of a gap's change along a shape below which the shape does not move the gap: far above the rounding of shapes, far below what moves.
+const UNMOVED: f64 = 1e-9;
 
 /// A machine linearised about a place.
 #[derive(Clone, Debug)]
@@ -48,8 +61,8 @@ pub struct Small {
     pub starts: Vec<Vec<f64>>,
     /// One-sided contacts, where there are some.
     pub contacts: Option<Contacts>,
-    /// Those, by their labels, that only touch at the place and keep its motions on one side.
-    touching: Vec<Text>,
+    /// Those that only touch at the place and keep its motions on one side.
+    touching: Vec<Touch>,
 }
 
 impl Small {
@@ -58,13 +71,58 @@ impl Small {
     /// # Errors
     /// S092.
     pub fn two_sided(&self) -> Result<(), Fault> {
-        if self.touching.is_empty() { Ok(()) } else { Err(analysis::fault::small::one_sided(&self.touching)) }
+        if self.touching.is_empty() { Ok(()) } else { Err(self.one_sided()) }
+    }
+
+    fn one_sided(&self) -> Fault {
+        let labels: Vec<Text> = self.touching.iter().map(|touch| touch.label.clone()).collect();
+        analysis::fault::small::one_sided(&labels)
+    }
+
+    /// Leaves the modes that move no gap of a contact that only touches: they go to both sides, and the contact takes no part in them. The others are no motions of
+    /// linear equations.
+    ///
+    /// # Errors
+    /// S092 where no mode is left.
+    fn keep_two_sided(&self, found: &mut Modes) -> Result<(), Fault> {
+        let moved = |touch: &Touch, part: fn(&Complex) -> f64, mode: &Mode| {
+            let terms = || touch.slopes.iter().zip(&mode.shape).map(|(slope, x)| slope * part(x));
+            let size = touch.slopes.iter().zip(&mode.shape).map(|(slope, x)| (slope * elementary::hypot(x.0, x.1)).abs()).sum::<f64>();
+            terms().sum::<f64>().abs() > UNMOVED * size.max(largest_share(touch, mode))
+        };
+        let before = found.modes.len();
+        found.modes.retain(|mode| !self.touching.iter().any(|touch| moved(touch, |x| x.0, mode) || moved(touch, |x| x.1, mode)));
+        if self.touching.is_empty() || before == 0 {
+            return Ok(());
+        }
+        if found.modes.is_empty() {
+            return Err(self.one_sided());
+        }
+        let list = |pick: fn(&Text) -> &str| self.touching.iter().map(|touch| pick(&touch.label)).collect::<Vec<_>>().join("; ");
+        let (en, ru, left) = (list(|t| &t.en), list(|t| &t.ru), before - found.modes.len());
+        found.notes.push(Text::new(
+            format!("contacts that only touch, pressed by no force ({en}): the modes are those that do not move their gaps; {left} that would move them are one-sided and left out"),
+            format!("связи, которые лишь касаются и не нагружены ({ru}): приведены формы, не меняющие их зазоров; формы, меняющие зазоры ({left}), односторонние и не приведены"),
+        ));
+        Ok(())
+    }
+
+    /// Whether contacts only touch at the place.
+    fn touches(&self) -> bool {
+        !self.touching.is_empty()
     }
 
     /// The place of rest along a parameter.
     pub fn branch(&self, parameter: usize) -> Branch {
         Branch::new(&self.machine, parameter, &self.place, self.starts.clone()).with_contacts(self.contacts.clone(), Beyond::Followed)
     }
+}
+
+/// The largest slope times the largest entry of a shape: what a change of the gap is compared with where the shape has no part in it.
+fn largest_share(touch: &Touch, mode: &Mode) -> f64 {
+    let slope = touch.slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
+    let entry = |i: usize, x: &Complex| if touch.slopes[i] == 0.0 { 0.0 } else { elementary::hypot(x.0, x.1) };
+    slope * mode.shape.iter().enumerate().fold(0.0_f64, |most, (i, x)| most.max(entry(i, x)))
 }
 
 /// Linearises a machine about the equilibrium that is meant.
@@ -132,8 +190,8 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     Ok(Small { machine: linear, place: at, starts: guesses, contacts, touching })
 }
 
-/// A machine about a place, the labels of the contacts that only touch there, and those that hold it.
-type Standing = (LinearMachine, Place, Vec<Text>, Vec<usize>);
+/// A machine about a place, the contacts that only touch there, and those that hold it.
+type Standing = (LinearMachine, Place, Vec<Touch>, Vec<usize>);
 
 /// The machine about a place of rest, with the contacts that press there as connections.
 fn standing(machine: &Machine, (equations, values): (&Equations, &[f64]), place: &Rest) -> Result<Standing, Fault> {
@@ -142,8 +200,9 @@ fn standing(machine: &Machine, (equations, values): (&Equations, &[f64]), place:
     let mut linear = following(machine, with_closed(&machine.equations, &closed))?;
     let at = linear.about(place, equations);
     let bounds = !touching.is_empty() && onesided::bounds(&mut linear, &at, &touching)?;
-    let labels = touching.iter().filter(|_| bounds).map(|(r, _)| equations.reactions[*r].label.clone()).collect();
-    Ok((linear, at, labels, closed))
+    let touch = |(r, slopes): (usize, Vec<f64>)| Touch { label: equations.reactions[r].label.clone(), slopes };
+    let touches = touching.into_iter().filter(|_| bounds).map(touch).collect();
+    Ok((linear, at, touches, closed))
 }
 
 /// Linearises a machine about the motion that it has at the start.
@@ -314,6 +373,34 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     analysis::studies::equilibrium::state(data);
 }
 
+/// Which one-sided contacts small motions keep closed and which they leave out, and that they have no dry friction.
+pub fn contact_notes(machine: &Machine, small: &Small) -> Vec<Text> {
+    let (own, followed) = (&machine.equations.reactions, &small.machine.equations().reactions);
+    let stands = |closed: bool| -> Vec<&Text> {
+        let both = own.iter().zip(followed).filter(|(own, _)| matches!(own.law, Law::Contact { .. }));
+        both.filter(|(_, now)| matches!(now.law, Law::Ideal { .. }) == closed).map(|(own, _)| &own.label).collect()
+    };
+    let list = |labels: &[&Text], pick: fn(&Text) -> &str| labels.iter().map(|label| pick(label)).collect::<Vec<_>>().join("; ");
+    let mut notes = Vec::new();
+    let (closed, open) = (stands(true), stands(false));
+    if !closed.is_empty() {
+        notes.push(Text::new(
+            format!("contacts that small motions keep closed: {}", list(&closed, |t| &t.en)),
+            format!("односторонние связи, замкнутые и в малых движениях: {}", list(&closed, |t| &t.ru)),
+        ));
+    }
+    if !open.is_empty() {
+        notes.push(Text::new(
+            format!("contacts that small motions leave out: {}", list(&open, |t| &t.en)),
+            format!("односторонние связи, в малых движениях не учтённые: {}", list(&open, |t| &t.ru)),
+        ));
+    }
+    if own.iter().any(|r| matches!(r.law, Law::Friction(_))) {
+        notes.push(Text::new("dry friction is left out of small motions", "сухое трение в малых движениях не учтено"));
+    }
+    notes
+}
+
 /// Remarks on how time was treated.
 pub fn timing_notes(timing: Timing) -> Vec<Text> {
     let mut notes = Vec::new();
@@ -333,12 +420,6 @@ pub fn timing_notes(timing: Timing) -> Vec<Text> {
         notes.push(Text::new(
             "formulas that switch with time are taken as they stand just after t = 0",
             "формулы, переключающиеся по времени, взяты такими, каковы они сразу после t = 0",
-        ));
-    }
-    if timing.smoothed {
-        notes.push(Text::new(
-            "dry friction and one-sided contacts are left out of small motions",
-            "сухое трение и односторонние связи в малых движениях не учтены",
         ));
     }
     if timing.driven {

@@ -7,7 +7,7 @@ use crate::results::{Alone, Body, Next, Results};
 use crate::small::asked::{Modes as Study, ParameterRange, Scale};
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
-use crate::small::{Small, about_rest, about_start, timing_notes};
+use crate::small::{Small, about_rest, about_start, contact_notes, timing_notes};
 use crate::wording::Word as Say;
 use analysis::dataset::{Column, Missing};
 use analysis::fault::codes;
@@ -52,6 +52,8 @@ pub struct Found {
     pub kink: bool,
     /// Whether they are about the motion as it is at the start.
     pub about_start: bool,
+    /// Which contacts are kept closed and which are left out.
+    pub contacts: Vec<Text>,
     /// The highest oscillation that the coordinates of a frame hold, rad/s, when higher ones are left out.
     pub kept: Option<f64>,
 }
@@ -93,19 +95,23 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     if machine.equations.coordinates.is_empty() {
         return Err(analysis::fault::nothing_moves());
     }
-    small.two_sided()?;
+    // along a parameter a touching contact may press or leave
+    if study.over.is_some() {
+        small.two_sided()?;
+    }
     let mut matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
-    let degenerate = if study.about_start { None } else { degenerate(&mut small.machine, &small.place) };
+    let degenerate = if study.about_start || small.touches() { None } else { degenerate(&mut small.machine, &small.place) };
     let kink = !study.about_start && kinks::is_kink(&mut small.machine, &small.place);
     if let Some(found) = &degenerate {
         found.settle(&mut matrices);
     }
-    let modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
-    let equation = (!study.about_start && modes.damping != Damping::General && matrices.jacobian.is_empty())
+    let mut modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
+    small.keep_two_sided(&mut modes)?;
+    let equation = (!study.about_start && !small.touches() && modes.damping != Damping::General && matrices.jacobian.is_empty())
         .then(|| equation::find(machine, &small, study.variable.as_ref()))
         .flatten();
-    let written = if study.about_start { None } else { formulas::write(&machine.equations, &small) };
+    let written = if study.about_start || small.touches() { None } else { formulas::write(&machine.equations, &small) };
     let over = if study.about_start { None } else { study.over.as_ref() };
     let tracks = match over {
         // a page shows the numbers of the file's own frame; those of another one are followed beside it
@@ -117,7 +123,21 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     };
     let (about_start, kept) = (study.about_start, machine.model.structure.as_ref().and_then(|structure| structure.kept));
     let equation = equation.map(|e| e.0);
-    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation, tracks, degenerate, kink, about_start, kept })
+    let contacts = contact_notes(machine, &small);
+    Ok(Found {
+        contacts,
+        variable: study.variable.clone(),
+        small,
+        matrices,
+        modes,
+        written,
+        equation,
+        tracks,
+        degenerate,
+        kink,
+        about_start,
+        kept,
+    })
 }
 
 fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
@@ -173,6 +193,7 @@ fn dataset(found: &Found) -> Dataset {
     data.notes.extend(remark(found.degenerate.iter()));
     data.notes.extend(found.kink.then(kinks::remark));
     data.notes.extend(hidden_inertia(&found.matrices));
+    data.notes.extend(found.contacts.iter().cloned());
     data.notes.extend(timing_notes(timing(found)));
     data
 }

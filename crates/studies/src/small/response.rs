@@ -18,7 +18,7 @@ use crate::small::remarks::{
 };
 use crate::small::source::{load_name, source};
 use crate::small::strands::{self, Watched};
-use crate::small::{Small, about_rest, timing_notes};
+use crate::small::{Small, about_rest, contact_notes, timing_notes};
 use crate::wording::Word as Say;
 use algebra::arrange::Arrange;
 use analysis::System;
@@ -231,7 +231,8 @@ fn remarks(machine: &Machine, small: &Small) -> Vec<Text> {
     // what oscillates with a factor that vanishes at rest does not; where it acts away from there, its size is told point by point
     let pulsates = || small.machine.pulsation(&small.place).map_or(true, |list| list.iter().flatten().any(|v| *v != 0.0));
     timing.varying = timing.varying && pulsates();
-    let mut notes = timing_notes(timing);
+    let mut notes = contact_notes(machine, small);
+    notes.extend(timing_notes(timing));
     match super::bent::remark(&machine.model) {
         Some(remark) => notes.push(remark),
         None if small.machine.timing().bent => notes.push(bent_by_rates()),

@@ -12,8 +12,6 @@ pub struct Timing {
     pub frozen: bool,
     /// Switches of time were settled as they stand at t = 0.
     pub settled: bool,
-    /// Dry frictions or one-sided contacts were left out.
-    pub smoothed: bool,
     /// A prescribed motion is a condition that changes with time; it was taken at t = 0.
     pub driven: bool,
     /// M, B or C contain harmonics, of which the mean was taken (parametric excitation).

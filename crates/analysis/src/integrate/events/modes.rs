@@ -40,6 +40,9 @@ struct Combination {
 /// Share of the loads by which a limit may be exceeded where no set of modes keeps all laws to rounding: far below the limit of the audits.
 const NEARLY: f64 = 1e-11;
 
+/// The code of equations that leave motion or reactions open.
+const UNDETERMINED: &str = "P013";
+
 /// Surely longer than any chain of wishes that ends.
 fn patience(guards: usize) -> usize {
     16 + 4 * guards
@@ -53,7 +56,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.sides_of_switches(Mode::Zero);
         if self.has_contacts() {
             self.sides_of_switches(Mode::Positive);
-            self.expand_here()?;
+            self.expand_gaps()?;
             self.measure()?;
             self.sides_at_start()?;
         }
@@ -65,6 +68,52 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.look_for_rivals()?;
         self.list(&impacts, &rests, Listed::Impacts);
         Ok(())
+    }
+
+    /// Expands for gaps and sliding speeds, which need no forces. Where the motion is not determined with all contacts open (a rope by which a motor hauls) they are those
+    /// with all of them closed, or with the first that determines it.
+    fn expand_gaps(&mut self) -> Result<(), Fault> {
+        let Err(fault) = self.expand_here() else { return Ok(()) };
+        if fault.code != UNDETERMINED {
+            return Err(fault);
+        }
+        let open = self.modes.clone();
+        let contacts = self.open_contacts();
+        for closed in std::iter::once(contacts.clone()).chain(contacts.iter().map(|i| vec![*i])) {
+            self.modes.clone_from(&open);
+            closed.iter().for_each(|i| self.modes[*i] = Mode::Zero);
+            if self.expand_here().is_ok() {
+                return Ok(());
+            }
+        }
+        Err(fault)
+    }
+
+    /// Contacts that are open in the present modes.
+    fn open_contacts(&self) -> Vec<usize> {
+        let guards = self.system.guards();
+        (0..guards.len()).filter(|&i| matches!(guards[i].kind, GuardKind::Contact { .. }) && self.modes[i] != Mode::Zero).collect()
+    }
+
+    /// A motion that is not determined, by the contacts whose closing would determine it: what a slack rope should haul has nothing to act through.
+    fn by_open_contacts(&mut self, fault: Fault) -> Fault {
+        if fault.code != UNDETERMINED {
+            return fault;
+        }
+        let open = self.modes.clone();
+        let contacts = self.open_contacts();
+        for closed in contacts.iter().map(|i| vec![*i]).chain(std::iter::once(contacts.clone())) {
+            self.modes.clone_from(&open);
+            closed.iter().for_each(|i| self.modes[*i] = Mode::Zero);
+            if !closed.is_empty() && self.system.expand(self.now.high, &self.x, &self.modes, 1).is_ok() {
+                let names: Vec<&words::Text> = closed.iter().map(|i| &self.system.guards()[*i].name).collect();
+                let fault = fault.while_open(&names, self.now.high);
+                self.modes.clone_from(&open);
+                return fault;
+            }
+        }
+        self.modes.clone_from(&open);
+        fault
     }
 
     /// Switches away from their surfaces take their sides; the formula on the surface need not have a value here. The other guards become `others`.
@@ -208,7 +257,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return self.prefer(&first.0, &trail.tried);
         }
         let guard = trail.suspect.or_else(|| self.touched.iter().position(|&t| t)).or(trail.changing).unwrap_or(0);
-        Err(trail.fault.unwrap_or_else(|| self.no_modes(guard)))
+        Err(match trail.fault {
+            Some(fault) => self.by_open_contacts(fault),
+            None => self.no_modes(guard),
+        })
     }
 
     /// Trials that begin with the modes that the accelerations ask for, now and a little later: where everything breaks away all accelerations are still zero.
