@@ -232,6 +232,35 @@ impl Fault {
         })
     }
 
+    /// The number of steps grows exponentially; `name` changes fastest.
+    pub fn ever_more_steps(name: &Text, t: f64, took: f64, needed: f64) -> Fault {
+        let (t, took, needed) = (number(t), rounded(took), rounded(needed));
+        Fault::new(Message {
+            code: "S010",
+            what: Text::new(
+                format!(
+                    "at t = {} s the number of steps doubles every {} s: the run would take about {} of them",
+                    t.en, took.en, needed.en
+                ),
+                format!("при t = {} с число шагов удваивается каждые {} с: расчёту понадобится около {} шагов", t.ru, took.ru, needed.ru),
+            ),
+            why: Text::new(
+                format!(
+                    "switches follow one another ever faster (a force that follows the sign of a coordinate has no place of rest at its zero), or an oscillation does, `{}` most of all",
+                    name.en
+                ),
+                format!(
+                    "переключения следуют друг за другом всё быстрее (сила, зависящая от знака координаты, не имеет положения покоя в её нуле) или ускоряется колебание, прежде всего `{}`",
+                    name.ru
+                ),
+            ),
+            help: Text::new(
+                "end the run earlier, or use an element with a resting state (dry friction, contact spring with damping)",
+                "закончите расчёт раньше или примените элемент с состоянием покоя (сухое трение, контактная пружина с демпфером)",
+            ),
+        })
+    }
+
     /// The flow on both sides of a switch points back to it.
     pub fn chattering(guard: &Text, t: f64) -> Fault {
         let n = number(t);

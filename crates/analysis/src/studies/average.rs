@@ -13,6 +13,7 @@ mod balances;
 mod follow;
 mod resonances;
 mod settled;
+mod starts;
 mod turn;
 
 pub use balances::{Course, Steady, Summit, carried, steady, steady_again};
@@ -114,7 +115,7 @@ mod tests {
         let machine = Motor { idle: 30.0, cubic: 2e6 };
         let found = turn(&machine, 23.0, None).unwrap();
         let grid = Grid::new(found.values.len(), 1);
-        let rates = grid.derived(&grid.first, 23.0, &found.values);
+        let [rates, _] = grid.derived(23.0, &found.values);
         let taken = B * rates.iter().map(|v| v * v).sum::<f64>() / rates.len() as f64 / 23.0;
         // AGREE of both moments
         assert!((found.vibration - taken).abs() < 1e-9 * taken, "{} {taken}", found.vibration);

@@ -1,7 +1,7 @@
 //! Studies, one file each, and what several of them share.
 //!
 //! Motions and regimes: [`simulate`], [`poincare`] (section points), [`transient`] (closed form, phase by phase), [`periodic`] (regimes), [`continuation`] (branches over a parameter),
-//! [`stability`] (periodic coefficients, disturbances in the long run), [`average`] (over a fast turn), [`threshold`] (where something changes), [`map`] (classes over two parameters).
+//! [`stability`] (periodic coefficients, disturbances in the long run), [`average`] (over a fast turn), [`threshold`] (where something changes), [`map`] (classes over two parameters); `pace` (runs whose steps grow without end).
 //! Small motions: [`modes`], [`rolling`] (with conditions on rates), [`tracks`] with `successors` (modes along a parameter), [`response`], [`superposition`] (all harmonics together); below them
 //! [`shapes`], `roots` (what damping couples), `polish`, [`impedance`], [`amplitudes`], `free_motion` (nothing holds), [`extremes`], [`least`], [`swings`], and [`limits`] with `balance` (how far small motions hold).
 //! Rest and linkages: [`equilibrium`], [`rest`] (stability of places, what changes along a parameter), [`unknowns`], [`statics`] with `telling`, [`kinematics`], [`cycle`], [`pushed`].
@@ -24,6 +24,7 @@ pub mod least;
 pub mod limits;
 pub mod map;
 pub mod modes;
+mod pace;
 pub mod periodic;
 pub mod poincare;
 mod polish;

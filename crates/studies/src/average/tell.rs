@@ -56,7 +56,7 @@ pub(super) fn single(machine: &mut Machine, asked: &Asked, results: &mut Results
         "В этом промежутке скоростей баланса моментов нет. Формулы времени взяты в момент `instant`, по умолчанию 0 с.",
     );
     results.words.push(if list.is_empty() { Text::new(en, ru) } else { balance_words() });
-    results.words.extend(gaps(found.iter().filter(|turn| turn.is_none()).count()));
+    results.words.extend(gaps(found.iter().filter(|turn| turn.is_none()).count() + course.unseen));
     if let Some(until) = asked.number("runs") {
         let own = Motions::new(machine, &angle.name, until)?.speed(&[], watch)?;
         let label = Text::new("mean speed of the motion itself at its end", "средняя скорость самого движения в его конце");

@@ -94,7 +94,9 @@ impl Walk<'_> {
                 if found.iter().all(Option::is_none) {
                     return Err(nothing_repeats());
                 }
-                (steady(&self.formulas, &self.speeds, &found), found.iter().filter(|turn| turn.is_none()).count())
+                let course = steady(&self.formulas, &self.speeds, &found);
+                let gaps = found.iter().filter(|turn| turn.is_none()).count() + course.unseen;
+                (course, gaps)
             }
         };
         self.before = Some((basis, gaps));

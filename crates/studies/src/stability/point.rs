@@ -114,13 +114,11 @@ pub(super) fn of_rest(machine: &mut Machine, study: &periodic::Periodic, care: C
 pub(super) fn of_running(reduction: &Reduction, (start, speed): (f64, f64), care: Care) -> Result<Point, Notice> {
     let period = TAU / speed.abs();
     let at = |t: f64| reduction.at(start + speed * t);
-    for phi in [0.0, 0.25, 0.7] {
-        if !repeats(reduction, start + TAU * phi) {
-            return Err(refused(
-                ("its coefficients do not repeat after a turn", "его коэффициенты не повторяются через оборот"),
-                ("`angle` must be an angle that turns", "`angle` должен быть углом, который поворачивается"),
-            ));
-        }
+    if !repeats(reduction, start) {
+        return Err(refused(
+            ("its coefficients do not repeat after a turn", "его коэффициенты не повторяются через оборот"),
+            ("`angle` must be an angle that turns", "`angle` должен быть углом, который поворачивается"),
+        ));
     }
     let over = |value: f64, inertia: f64| (inertia > 0.0 && value.is_finite()).then(|| value / inertia);
     let stiffness = |t: f64| over(at(t)[1], at(t)[0]);
@@ -134,11 +132,20 @@ pub(super) fn of_running(reduction: &Reduction, (start, speed): (f64, f64), care
     Ok(point)
 }
 
-/// Whether the coefficients are the same a turn further.
-fn repeats(reduction: &Reduction, phi: f64) -> bool {
-    let (here, there) = (reduction.at(phi), reduction.at(phi + TAU));
-    // a turn further angles are rounded; coefficients of another period differ by their size
-    here.iter().zip(&there).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
+/// Positions at which it is looked whether coefficients repeat: no divisor of those at which a harmonic of the turn vanishes.
+const LOOKED: usize = 11;
+/// Share of the largest value of a coefficient by which it may differ a turn further: angles are rounded there; one of another period differs by its size. One of its own values may be 0 to rounding, as
+/// that of a damping without a mean is somewhere.
+const REPEATED: f64 = 1e-9;
+
+/// Whether the coefficients are the same a turn further; what has no value is left to those who need it.
+fn repeats(reduction: &Reduction, start: f64) -> bool {
+    let pairs: Vec<[[f64; 3]; 2]> =
+        (0..LOOKED).map(|k| start + TAU * k as f64 / LOOKED as f64).map(|phi| [reduction.at(phi), reduction.at(phi + TAU)]).collect();
+    (0..3).all(|i| {
+        let size = pairs.iter().flatten().map(|known| known[i].abs()).filter(|v| v.is_finite()).fold(0.0, f64::max);
+        !pairs.iter().any(|[here, there]| (here[i] - there[i]).abs() > REPEATED * size)
+    })
 }
 
 fn of_scalar(scalar: Scalar) -> Point {

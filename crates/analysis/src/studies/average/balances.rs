@@ -2,7 +2,7 @@
 //!
 //! On a branch L is a function of one length. Followed over a parameter, an extreme of it passes zero where two balances meet (a fold).
 
-use super::follow::{self, Branch, Point, Ruler, Walker};
+use super::follow::{self, Branch, Followed, Point, Ruler, Walker};
 use super::settled::settles;
 use super::turn::{MET, ROUNDING, Turn, Turning, turn};
 use crate::marks::bracketed;
@@ -54,6 +54,8 @@ pub struct Course {
     pub steady: Vec<Steady>,
     /// From how many starts other answers were sought; none where the rest is linear and has one at each speed.
     pub starts: Option<usize>,
+    /// Speeds on and beside resonances at which there is no answer.
+    pub unseen: usize,
     /// Extremes of L along the branches.
     pub summits: Vec<Summit>,
     ruler: Ruler,
@@ -61,16 +63,18 @@ pub struct Course {
 
 /// Balances on all branches that the turns at ascending speeds, and starts of other sizes, lead to.
 pub fn steady<T: Turning + ?Sized>(machine: &T, speeds: &[f64], found: &[Option<Turn>]) -> Course {
-    let ruler = Ruler::new(machine.others(), speeds, found);
-    let (branches, starts) = follow::all(&Walker::new(machine, &ruler), found);
-    balances(machine, Course { branches, starts, ruler, ..Course::default() })
+    let Followed { branches, starts, unseen, ruler } = follow::all(machine, speeds, found);
+    balances(machine, Course { branches, starts, unseen, ruler, ..Course::default() })
 }
 
 /// Balances on the branches of another machine whose rest has the same equations; none where a branch is not one of this machine.
 pub fn steady_again<T: Turning + ?Sized>(machine: &T, known: &Course) -> Option<Course> {
     let walker = Walker::new(machine, &known.ruler);
     let branches = known.branches.iter().map(|branch| walker.told_again(branch)).collect::<Option<Vec<Branch>>>()?;
-    Some(balances(machine, Course { branches, starts: known.starts, ruler: known.ruler.clone(), ..Course::default() }))
+    Some(balances(
+        machine,
+        Course { branches, starts: known.starts, unseen: known.unseen, ruler: known.ruler.clone(), ..Course::default() },
+    ))
 }
 
 /// Adds balances and extremes to the branches.
@@ -165,7 +169,7 @@ impl<T: Turning + ?Sized> Way<'_, T> {
         let [small, large] = [slopes[0].abs().min(slopes[1].abs()), slopes[0].abs().max(slopes[1].abs())];
         let off = (b.turn.balance() - a.turn.balance() - 0.5 * (slopes[0] + slopes[1])).abs();
         let size = [a, b].iter().map(|point| point.turn.own.abs().max(point.turn.vibration.abs())).fold(0.0, f64::max);
-        off.is_nan() || off <= (STEADY * small).max(BENT * large).max(SEEN * size)
+        off.is_nan() || off <= (STEADY * small).max(BENT * large).max((SEEN + a.turn.doubt.max(b.turn.doubt)) * size)
     }
 
     /// The balance between two neighbours of which the moments have unlike signs.
@@ -190,7 +194,7 @@ impl<T: Turning + ?Sized> Way<'_, T> {
             return None;
         }
         let sign = if a.slope > 0.0 { 1.0 } else { -1.0 };
-        let reach = (0.5 * self.walker.distance(a, b)).min(REACH);
+        let reach = (0.5 * self.walker.distance(a, b)).min(REACH * self.walker.size(a));
         let height = |point: &Point| sign * point.turn.balance();
         let above = |point: &Point| height(point) >= height(a).max(height(b));
         let flat = |point: Point| if point.slope.abs() <= FLAT * largest { 0.0 } else { point.slope };

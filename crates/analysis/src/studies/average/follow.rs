@@ -7,7 +7,7 @@
 //! Where the rest is linear there is one answer at each speed. Otherwise a branch comes back over its folds with all answers that hang together; others are sought from starts of other sizes.
 //! *Source*: H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977).
 
-use super::resonances::resonances;
+use super::resonances::{nearest, resonances};
 use super::turn::{Grid, INSTANTS, NEAR, Place, Turn, Turning, greatest, turn};
 use algebra::elementary;
 use algebra::lu::Lu;
@@ -44,12 +44,13 @@ const POINTS: usize = 4000;
 const TAIL: f64 = 1e-11;
 /// Answers that are one, in scales: corrections end far below.
 const SAME: f64 = 1e-6;
-/// Speeds at which other answers are sought.
-const TRIED: usize = 5;
-/// Sizes of the starts there, by that of a known answer: turned round, and larger ones, for the small answer is found from rest.
-const SIZES: [f64; 6] = [-1.0, 3.0, -3.0, 10.0, -10.0, 40.0];
-/// Constant starts there, by the size of each coordinate: other places of rest.
-const OFFSETS: [f64; 4] = [1.0, -1.0, 10.0, -10.0];
+/// Share of the distance to a resonance of the linear equations beside an answer by which a step may change the speed: one that is narrower than the step is not passed over.
+const APPROACH: f64 = 0.5;
+
+/// The size of an answer, in scales: those of the coordinates are taken from the answers that were known before, which may be small ones.
+fn size_of(z: &[f64]) -> f64 {
+    norm(&z[..z.len().saturating_sub(1)]).max(1.0)
+}
 
 /// A point of a branch.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,6 +116,17 @@ impl Ruler {
     }
 }
 
+/// Branches that were found.
+pub(super) struct Followed {
+    pub(super) branches: Vec<Branch>,
+    /// From how many starts others were sought; none where the rest is linear.
+    pub(super) starts: Option<usize>,
+    /// Speeds on and beside resonances at which there is no answer.
+    pub(super) unseen: usize,
+    /// What their lengths are measured by.
+    pub(super) ruler: Ruler,
+}
+
 /// Follows the answers of a machine.
 pub(super) struct Walker<'a, T: ?Sized> {
     machine: &'a T,
@@ -122,41 +134,52 @@ pub(super) struct Walker<'a, T: ?Sized> {
     grids: Vec<Grid>,
 }
 
-/// All branches that were found, and from how many starts others were sought; none where the rest is linear.
-pub(super) fn all<T: Turning + ?Sized>(walker: &Walker<'_, T>, found: &[Option<Turn>]) -> (Vec<Branch>, Option<usize>) {
+/// The branches of answers that the turns at ascending speeds lead to.
+pub(super) fn all<T: Turning + ?Sized>(machine: &T, speeds: &[f64], found: &[Option<Turn>]) -> Followed {
+    let ruler = Ruler::new(machine.others(), speeds, found);
+    let walker = Walker::new(machine, &ruler);
     if walker.is_linear(found) {
-        return (walker.single(found), None);
+        let (all, unseen) = with_resonances(machine, found);
+        let ruler = Ruler::new(machine.others(), speeds, &all);
+        let branches = Walker::new(machine, &ruler).single(&all);
+        return Followed { branches, starts: None, unseen, ruler };
     }
-    let mut branches: Vec<Branch> = Vec::new();
-    for seed in found.iter().flatten() {
-        walker.take(&mut branches, seed);
-    }
-    let mut starts = 0;
-    let stride = (found.len() - 1).div_ceil(TRIED - 1).max(1);
-    let places: Vec<usize> = (0..found.len()).step_by(stride).chain([found.len() - 1]).collect();
-    for k in places {
-        let Some(known) = &found[k] else { continue };
-        let width = walker.ruler.sizes.len();
-        let scaled = SIZES.iter().map(|size| known.values.iter().map(|v| size * v).collect::<Vec<f64>>());
-        let moved = (0..width).flat_map(|j| OFFSETS.map(|offset| (j, offset)));
-        let moved = moved.map(|(j, offset)| {
-            let at = |(e, v): (usize, &f64)| if e % width == j { v + offset * walker.ruler.sizes[j] } else { *v };
-            known.values.iter().enumerate().map(at).collect()
-        });
-        for guess in scaled.chain(moved) {
-            starts += 1;
-            let start = Turn { values: guess, ..known.clone() };
-            if let Some(other) = turn(walker.machine, known.speed, Some(&start)) {
-                walker.take(&mut branches, &other);
-            }
+    let (branches, starts) = walker.several(speeds, found);
+    Followed { branches, starts: Some(starts), unseen: 0, ruler }
+}
+
+/// The answers of a linear rest with those on and beside its resonances, and how many of these there are not.
+fn with_resonances<T: Turning + ?Sized>(machine: &T, found: &[Option<Turn>]) -> (Vec<Option<Turn>>, usize) {
+    let (mut all, mut unseen) = (Vec::new(), 0);
+    for part in found.split_inclusive(Option::is_none) {
+        let known: Vec<&Turn> = part.iter().flatten().collect();
+        let speeds: Vec<f64> = known.iter().map(|turn| turn.speed).collect();
+        let mut own: Vec<Turn> = known.into_iter().cloned().collect();
+        for speed in resonances(machine, &speeds) {
+            let answer = turn(machine, speed, part[0].as_ref());
+            unseen += usize::from(answer.is_none());
+            own.extend(answer);
         }
+        own.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        own.dedup_by(|a, b| a.speed == b.speed);
+        all.extend(own.into_iter().map(Some));
+        all.extend(part.last().filter(|turn| turn.is_none()).cloned());
     }
-    (branches, Some(starts))
+    (all, unseen)
 }
 
 impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     pub(super) fn new(machine: &'a T, ruler: &'a Ruler) -> Walker<'a, T> {
         Walker { machine, ruler, grids: INSTANTS.iter().map(|n| Grid::new(*n, ruler.sizes.len())).collect() }
+    }
+
+    pub(super) fn machine(&self) -> &'a T {
+        self.machine
+    }
+
+    /// Sizes of the coordinates.
+    pub(super) fn sizes(&self) -> &[f64] {
+        &self.ruler.sizes
     }
 
     pub(super) fn range(&self) -> f64 {
@@ -192,12 +215,7 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     fn single(&self, found: &[Option<Turn>]) -> Vec<Branch> {
         let parts = found.split(Option::is_none).filter(|part| !part.is_empty());
         let whole = |part: &[Option<Turn>]| {
-            let mut all: Vec<Turn> = part.iter().flatten().cloned().collect();
-            let speeds: Vec<f64> = all.iter().map(|turn| turn.speed).collect();
-            all.extend(resonances(self.machine, &speeds).into_iter().filter_map(|speed| turn(self.machine, speed, part[0].as_ref())));
-            all.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-            all.dedup_by(|a, b| a.speed == b.speed);
-            let points = all.into_iter().filter_map(|turn| self.at(turn, 1.0)).collect();
+            let points = part.iter().flatten().filter_map(|turn| self.at(turn.clone(), 1.0)).collect();
             let mut branch = Branch { points, broken: 0 };
             self.see_tops(&mut branch);
             branch
@@ -206,7 +224,7 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     }
 
     /// Follows the branch of an answer unless it is known.
-    fn take(&self, branches: &mut Vec<Branch>, seed: &Turn) {
+    pub(super) fn take(&self, branches: &mut Vec<Branch>, seed: &Turn) {
         if branches.iter().any(|branch| self.passes(branch, seed)) {
             return;
         }
@@ -280,6 +298,7 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     /// The answer in the plane through z across a direction.
     fn corrected(&self, grid: &Grid, mut z: Vec<f64>, normal: &[f64]) -> Option<Vec<f64>> {
         let k = z.len();
+        let large = size_of(&z);
         let (mut last, mut slopes) = (f64::INFINITY, None);
         for _ in 0..STEPS {
             // the derivatives of the guess, as long as they bring a digit a step
@@ -299,15 +318,15 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
             let size = norm(&step);
             slopes = Some((lu, sizes)).filter(|_| size <= SLOW * last || last == f64::INFINITY);
             if !size.is_finite() || size > 2.0 * last {
-                return (last <= ROUGH).then_some(z);
+                return (last <= ROUGH * large).then_some(z);
             }
             z.iter_mut().zip(&step).for_each(|(z, s)| *z -= s);
-            if size <= ENOUGH || size >= 0.5 * last && last <= ROUGH {
+            if size <= ENOUGH * large || size >= 0.5 * last && last <= ROUGH * large {
                 return Some(z);
             }
             last = size;
         }
-        (last <= ROUGH).then_some(z)
+        (last <= ROUGH * large).then_some(z)
     }
 
     /// The direction of the branch at z, which goes on as another one.
@@ -383,7 +402,7 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     /// The points from one on, how many ends lie within the range, and whether they come back.
     fn one_way(&self, start: &Point) -> (Vec<Point>, usize, bool) {
         let mut list = vec![start.clone()];
-        let mut h = FIRST;
+        let mut h = FIRST.min(self.stride(start));
         while list.len() < POINTS {
             let Some(a) = list.last().cloned() else { break };
             let speed = a.turn.speed;
@@ -403,7 +422,7 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
                 continue;
             };
             let closed = list.len() > 3 && self.closes(start, &a, &b);
-            h = if cosine > LEVEL { 1.5 * h } else { h }.min(self.longest(&b));
+            h = if cosine > LEVEL { 1.5 * h } else { h }.min(self.stride(&b));
             list.push(if closed { start.clone() } else { b });
             if closed {
                 return (list, 0, true);
@@ -412,10 +431,35 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
         (list, 1, false)
     }
 
+    /// The size of an answer in scales, 1 at least.
+    pub(super) fn size(&self, a: &Point) -> f64 {
+        size_of(&self.unknowns(&a.turn.values, a.turn.speed))
+    }
+
     /// The longest step from a point: the sizes of the coordinates are those of the answers that were known before, which may be small ones.
     fn longest(&self, a: &Point) -> f64 {
-        let z = self.unknowns(&a.turn.values, a.turn.speed);
-        LONGEST * norm(&z[..z.len() - 1]).max(1.0)
+        LONGEST * self.size(a)
+    }
+
+    /// The longest next step from a point, that passes over no resonance.
+    fn stride(&self, a: &Point) -> f64 {
+        let forwards = a.forwards().abs() * self.range();
+        let longest = self.longest(a);
+        if forwards * longest <= 0.0 {
+            return longest;
+        }
+        let grid = self.grid(&a.turn.values);
+        let speed = a.turn.speed;
+        let slopes: Vec<Vec<f64>> = grid.instants(self.machine, speed, &a.turn.values).into_iter().map(|instant| instant.slopes).collect();
+        let excited = |k: usize| {
+            let strong = |j: usize| {
+                let [c, s] = grid.harmonic(&a.turn.values, j, k);
+                c.abs().max(s.abs()) > TAIL * self.ruler.sizes[j]
+            };
+            (0..self.ruler.sizes.len()).any(strong)
+        };
+        let away = nearest(&slopes, speed, &excited);
+        longest.min((APPROACH * away / forwards).max(SHORTEST))
     }
 
     /// A step along the tangent, and the cosine of the angle by which it turns; none where it is too long.
@@ -527,11 +571,12 @@ impl<'a, T: Turning + ?Sized> Walker<'a, T> {
     fn pointed(&self, turn: Turn, tangent: Vec<f64>) -> Option<Point> {
         let grid = self.grid(&turn.values);
         let z = self.unknowns(&turn.values, turn.speed);
-        let [behind, before] = [ALONG, -ALONG].map(|by| {
+        let step = ALONG * size_of(&z);
+        let [behind, before] = [step, -step].map(|by| {
             let (values, speed) = self.known(&z.iter().zip(&tangent).map(|(z, t)| z + by * t).collect::<Vec<f64>>());
             grid.balance(self.machine, speed, &values)
         });
-        let slope = (behind - before) / (2.0 * ALONG);
+        let slope = (behind - before) / (2.0 * step);
         slope.is_finite().then_some(Point { turn, tangent, slope })
     }
 

@@ -20,6 +20,13 @@ const STEPS: usize = 40;
 /// Share of the largest value of the rest below which a step is rounding of the matrices of derivatives.
 const STILL: f64 = 1e-12;
 
+/// Share of the values above which a step that has ended to fall is no rounding: where the damping is 1e-9 of the critical one, rounding of the equations moves the answer by that much.
+const MOVED: f64 = 1e-6;
+/// Share of the step before above which a step has ended to fall.
+const FALLS: f64 = 0.25;
+/// How many times the rounding of the values, as the last steps show it, two moments may differ by: they are of second degree in them, and each of the steps is but one sample.
+const SAMPLED: f64 = 20.0;
+
 /// What is left of the equations of the rest, as a share of what turns there, in a motion that repeats: more is an undamped resonance, where rounding grows beyond all measure.
 const LEFT: f64 = 1e-6;
 
@@ -73,6 +80,8 @@ pub struct Turn {
     pub ripple: f64,
     /// The greatest moment of the turn that the mean leaves out, N m.
     pub(super) greatest: f64,
+    /// Share of the values that is rounding: a narrow resonance magnifies that of the equations.
+    pub(super) doubt: f64,
     /// q at equally spaced instants of the turn.
     pub(super) values: Vec<f64>,
 }
@@ -104,7 +113,7 @@ pub fn turn<T: Turning + ?Sized>(machine: &T, speed: f64, before: Option<&Turn>)
     for instants in &INSTANTS[1..] {
         let next = Grid::new(*instants, machine.others()).turn(machine, speed, Some(&last.values))?;
         let size = [next.own, next.vibration, last.own, last.vibration].into_iter().fold(0.0_f64, |l, v| l.max(v.abs()));
-        let allowed = AGREE * size + ROUNDING * next.greatest;
+        let allowed = (AGREE + SAMPLED * last.doubt.max(next.doubt)) * size + ROUNDING * next.greatest;
         if (next.balance() - last.balance()).abs() <= allowed && (next.own - last.own).abs() <= allowed {
             return Some(next);
         }
@@ -147,9 +156,11 @@ pub(super) struct Grid {
     pub(super) n: usize,
     others: usize,
     /// D: derivative of the trigonometric polynomial through n values, n odd.
-    pub(super) first: Vec<f64>,
+    first: Vec<f64>,
     /// D².
     second: Vec<f64>,
+    /// Sine and cosine at the instants.
+    around: Vec<(f64, f64)>,
 }
 
 impl Grid {
@@ -167,11 +178,13 @@ impl Grid {
             |e: usize, sign: f64, order: usize| if e / n < e % n { sign * all[e % n - e / n][order] } else { all[e / n - e % n][order] };
         let first = (0..n * n).map(|e| entry(e, -1.0, 0)).collect();
         let second = (0..n * n).map(|e| entry(e, 1.0, 1)).collect();
-        Grid { n, others, first, second }
+        let around = (0..n).map(|k| elementary::sin_cos(TAU * k as f64 / n as f64)).collect();
+        Grid { n, others, first, second, around }
     }
 
     pub(super) fn turn<T: Turning + ?Sized>(&self, machine: &T, speed: f64, guess: Option<&[f64]>) -> Option<Turn> {
         let mut values = self.taken(guess);
+        let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let instants = self.instants(machine, speed, &values);
             let step = self.step(&instants, speed)?;
@@ -181,9 +194,14 @@ impl Grid {
             if !moved.is_finite() {
                 return None;
             }
-            if moved <= STILL * largest || moved == 0.0 {
-                return self.told(machine, speed, values);
+            let rounding = moved >= FALLS * last && moved.max(last) <= MOVED * largest;
+            if moved <= STILL * largest || rounding {
+                let turn = self.told(machine, speed, values)?;
+                let sample = if rounding { moved.max(last) } else { moved };
+                let doubt = if sample == 0.0 { 0.0 } else { sample / largest };
+                return Some(Turn { doubt, ..turn });
             }
+            last = moved;
         }
         None
     }
@@ -205,21 +223,35 @@ impl Grid {
         (0..self.n * self.others).map(value).collect()
     }
 
-    /// Derivative of the values by time.
-    pub(super) fn derived(&self, matrix: &[f64], factor: f64, values: &[f64]) -> Vec<f64> {
-        let mut all = vec![0.0; values.len()];
-        for (out, row) in all.chunks_mut(self.others.max(1)).zip(matrix.chunks(self.n)) {
-            for (weight, known) in row.iter().zip(values.chunks(self.others.max(1))) {
-                out.iter_mut().zip(known).for_each(|(out, v)| *out += factor * weight * v);
+    /// Rates and accelerations of the values: each harmonic by its own factors. D² itself has entries up to n²/12, whose rounding in one harmonic is as large as what a narrow resonance leaves of inertia and stiffness.
+    pub(super) fn derived(&self, speed: f64, values: &[f64]) -> [Vec<f64>; 2] {
+        let (n, m) = (self.n, self.others);
+        let mut out = [vec![0.0; values.len()], vec![0.0; values.len()]];
+        for (j, k) in (0..m).flat_map(|j| (1..=n / 2).map(move |k| (j, k))) {
+            let [c, s] = self.harmonic(values, j, k);
+            let rate = k as f64 * speed;
+            for i in 0..n {
+                let (sin, cos) = self.around[i * k % n];
+                out[0][i * m + j] += rate * (s * cos - c * sin);
+                out[1][i * m + j] -= rate * rate * (c * cos + s * sin);
             }
         }
-        all
+        out
+    }
+
+    /// Cosine and sine of a harmonic of a coordinate.
+    pub(super) fn harmonic(&self, values: &[f64], j: usize, k: usize) -> [f64; 2] {
+        let sums = (0..self.n).fold([0.0, 0.0], |[c, s], i| {
+            let (sin, cos) = self.around[i * k % self.n];
+            let value = values[i * self.others + j];
+            [c + value * cos, s + value * sin]
+        });
+        sums.map(|sum| 2.0 * sum / self.n as f64)
     }
 
     /// What the equations say at all instants.
     fn around<R>(&self, (speed, values): (f64, &[f64]), of: impl Fn(&Place<'_>) -> R) -> Vec<R> {
-        let rates = self.derived(&self.first, speed, values);
-        let accelerations = self.derived(&self.second, speed * speed, values);
+        let [rates, accelerations] = self.derived(speed, values);
         let range = |k: usize| k * self.others..(k + 1) * self.others;
         let place = |k: usize| Place {
             angle: TAU * k as f64 / self.n as f64,
@@ -300,7 +332,7 @@ impl Grid {
         let own = -held.iter().map(|instant| instant.residuals[m]).sum::<f64>() / n;
         let ripple = ripple(&instants.iter().map(|instant| -instant.residuals[m] / instant.inertia).collect::<Vec<_>>(), speed);
         let greatest = instants.iter().fold(0.0_f64, |l, instant| l.max(instant.residuals[m].abs()));
-        let turn = Turn { speed, own, vibration: own - balance, ripple, greatest, values };
+        let turn = Turn { speed, own, vibration: own - balance, ripple, greatest, doubt: 0.0, values };
         [turn.own, turn.vibration, turn.ripple].iter().all(|v| v.is_finite()).then_some(turn)
     }
 }

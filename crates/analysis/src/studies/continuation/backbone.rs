@@ -237,6 +237,7 @@ impl Zeros for Free<'_, '_> {
         let modes = self.machine.modes_by_value(0.0, &y[..n]).unwrap_or_default();
         let energy = self.machine.energies(0.0, &y[..n], &modes).map(|[kinetic, potential]| kinetic + potential - self.least);
         let slowest = turned.slowest(self.machine)?;
+        let edge = turned.edge(self.machine)?;
         let facts = Facts {
             period: turned.period(),
             extremes: turned.extremes(places),
@@ -245,7 +246,7 @@ impl Zeros for Free<'_, '_> {
             energy,
             switches: turned.switches(),
             slowest,
-            edge: turned.edge(),
+            edge,
             liouville: varied.liouville,
             ..Facts::default()
         };

@@ -278,6 +278,7 @@ impl Zeros for Orbits<'_, '_> {
         let (machine, _) = self.family.at(y[last])?;
         let varied = self.shooting.vary(machine, &mut turned)?;
         let slowest = turned.slowest(machine)?;
+        let edge = turned.edge(machine)?;
         let scales = self.scales();
         let missed_by = missed_in(&turned, &varied.states, &scales);
         if varied.off > SAME + missed_by {
@@ -296,7 +297,7 @@ impl Zeros for Orbits<'_, '_> {
             multipliers,
             switches: turned.switches(),
             slowest,
-            edge: turned.edge(),
+            edge,
             liouville: varied.liouville,
             ..Facts::default()
         };

@@ -10,6 +10,7 @@ use crate::fault::codes;
 use crate::studies::periodic::{Multiplier, tangent_of};
 use crate::{Fault, GuardKind, Machine, Mode, Since, System};
 use algebra::eigen::general;
+use algebra::lu::Lu;
 use algebra::qr::{DEPENDENT, Qr};
 use words::{Message, Text};
 
@@ -27,6 +28,8 @@ const APART: f64 = 1e-6;
 const INSTANTS: [f64; 4] = [0.0, 0.37, 1.9, 11.3];
 /// Corrections from a start to the first place.
 const CORRECTIONS: usize = 60;
+/// How far, in scales, another state may be moved by one that stays free: beyond that a better one is taken.
+const LEADS: f64 = 10.0;
 /// A correction below this, in scales, has arrived.
 const ENOUGH: f64 = 1e-13;
 
@@ -41,6 +44,8 @@ pub(super) struct Rests<'f> {
     felt: Vec<f64>,
     range: f64,
     evaluations: usize,
+    /// The states that were free at the last place.
+    kept: Vec<usize>,
 }
 
 /// Switch positions at a state, by the values of their formulas.
@@ -90,7 +95,7 @@ impl<'f> Rests<'f> {
         if machine.slopes(0.0, &beside, &modes, &mut rows).is_ok() {
             feel(&mut felt, &rows, &sizes);
         }
-        Ok(Rests { family, sizes, clocks, felt, range, evaluations: 0 })
+        Ok(Rests { family, sizes, clocks, felt, range, evaluations: 0, kept: Vec::new() })
     }
 
     /// Unknowns at a state.
@@ -237,6 +242,29 @@ impl Small {
         Ok(Small { free, basis, rows })
     }
 
+    /// The same by the states that were free at another place, as long as they lead the others by not much: of states that lead equally (the coordinate and the angle of an upright column)
+    /// now this and now that one would be taken, and places side by side could not be compared.
+    fn keeping(self, kept: &[usize], scales: &[f64]) -> Small {
+        let m = self.free.len();
+        if kept.len() != m || kept == self.free {
+            return self;
+        }
+        let entry = |e: usize| self.basis[e % m][kept[e / m]] * scales[self.free[e % m]] / scales[kept[e / m]];
+        let Some(lu) = Lu::exact(&(0..m * m).map(entry).collect::<Vec<f64>>(), m) else { return self };
+        let mut basis = Vec::with_capacity(m);
+        for j in 0..m {
+            let unit: Vec<f64> = (0..m).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
+            let Some(shares) = lu.solve(&unit).filter(|shares| shares.iter().all(|share| share.abs() <= LEADS)) else { return self };
+            let mut whole = vec![0.0; scales.len()];
+            for ((share, column), free) in shares.iter().zip(&self.basis).zip(&self.free) {
+                let by = share * scales[*free] / scales[kept[j]];
+                whole.iter_mut().zip(column).for_each(|(w, c)| *w += by * c);
+            }
+            basis.push(whole);
+        }
+        Small { free: kept.to_vec(), basis, rows: self.rows }
+    }
+
     /// Change of the rate of state i by the k-th free direction, SI.
     fn entry(&self, i: usize, k: usize) -> f64 {
         let width = self.basis[k].len() + 1;
@@ -276,7 +304,8 @@ impl Zeros for Rests<'_> {
         if !may_rest(machine, x, &scales)? {
             return Err(nowhere());
         }
-        let small = Small::at(machine, x, (&scales, &self.clocks))?;
+        let small = Small::at(machine, x, (&scales, &self.clocks))?.keeping(&self.kept, &scales);
+        self.kept.clone_from(&small.free);
         feel(&mut self.felt, &small.rows, &scales);
         let multipliers = roots(small.free.len(), &small.matrix(&scales))?;
         let facts = Facts {

@@ -240,6 +240,8 @@ pub(in crate::studies) struct Meeting {
     pub(in crate::studies) guard: usize,
     /// Magnitude of its rate, in its unit per second.
     pub(in crate::studies) rate: f64,
+    /// What it changes by where the states do by their scales; 0 of a switch of time alone.
+    pub(in crate::studies) felt: f64,
     /// By what share of itself the rate changes where the states do by a share of their scales, per that share: it is the root of how far the guard is passed.
     pub(in crate::studies) unsure: f64,
 }
@@ -255,7 +257,7 @@ pub(super) fn met<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64
         let (rate, bend) = system.guard(guard).get(1).zip(system.guard(guard).get(2))?;
         let row = &rows[(n + guard) * (n + 1)..][..n];
         let size: f64 = row.iter().zip(scales).map(|(g, s)| (g * s).abs()).sum();
-        Some(Meeting { guard, rate: rate.abs(), unsure: 2.0 * bend.abs() * size / (rate * rate) })
+        Some(Meeting { guard, rate: rate.abs(), felt: size, unsure: 2.0 * bend.abs() * size / (rate * rate) })
     };
     Ok(surfaces.into_iter().filter_map(meeting).collect())
 }

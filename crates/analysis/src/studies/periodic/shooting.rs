@@ -381,10 +381,22 @@ impl Turned<'_> {
         Ok(slowest)
     }
 
-    /// How near to its ends something switches, as a share of the period; none where nothing does.
-    pub(in crate::studies) fn edge(&self) -> Option<f64> {
+    /// How near to its ends something switches that the states move, as a share of the period; none where nothing does. A load that switches by time alone does so at the same share of
+    /// each period, and may at its start: what is free does not change there.
+    ///
+    /// *Errors*: those of the equations.
+    pub(in crate::studies) fn edge<S: System + ?Sized>(&self, system: &mut S) -> Result<Option<f64>, Fault> {
         let period = self.0.orbit.period;
-        self.0.orbit.jumps.iter().map(|jump| jump.t.min(period - jump.t).abs() / period).min_by(f64::total_cmp)
+        let mut edge: Option<f64> = None;
+        for jump in &self.0.orbit.jumps {
+            let away = jump.t.min(period - jump.t).abs() / period;
+            if edge.is_none_or(|least| away < least)
+                && fundamental::met(system, jump, &self.0.scales)?.iter().any(|meeting| meeting.felt > 0.0)
+            {
+                edge = Some(away);
+            }
+        }
+        Ok(edge)
     }
 
     /// Whether what holds at its start holds at its end: sticking frictions, closed contacts.

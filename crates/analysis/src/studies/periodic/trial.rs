@@ -5,6 +5,7 @@ use super::listener::Stage;
 use super::options::{Periodic, Return};
 use super::orbit::Orbit;
 use crate::integrate::taylor::{Flow, Options};
+use crate::studies::pace::Doubled;
 use crate::studies::simulate::Grid;
 use crate::{Fault, System};
 
@@ -120,6 +121,7 @@ const FLOOR: f64 = 1e-9;
 /// *Errors*: S010 where that would take more steps than anybody waits for.
 pub(super) fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, options: &Periodic<'_>) -> Result<Vec<f64>, Fault> {
     let mut sizes: Vec<f64> = flow.state().iter().map(|x| x.abs()).collect();
+    let mut doubled = Doubled::default();
     while !flow.reached(end) && !interrupted(options) {
         flow.advance(end)?;
         sizes.iter_mut().zip(flow.state()).for_each(|(size, x)| *size = size.max(x.abs()));
@@ -128,6 +130,9 @@ pub(super) fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, optio
         let needed = steps * (end / time);
         if steps > SAMPLE && needed > MOST {
             return Err(Fault::too_many_steps(&flow.fastest(), time, time / steps, needed));
+        }
+        if let Some((took, needed)) = doubled.look((flow.work().steps, time), (end, MOST)) {
+            return Err(Fault::ever_more_steps(&flow.fastest(), time, took, needed));
         }
     }
     Ok(sizes)

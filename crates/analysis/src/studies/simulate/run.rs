@@ -26,6 +26,7 @@ use crate::marks::extremes::Extremes;
 use crate::marks::named::Watcher;
 use crate::marks::pushes::Pushes;
 use crate::marks::windows::Windows;
+use crate::studies::pace::Doubled;
 use crate::{Fault, GuardKind, Mode, Quantity, System};
 use words::digits::rounded;
 
@@ -130,18 +131,28 @@ pub(super) struct Pace {
     hopeless: u32,
     /// Steps still to do at the last pace.
     remaining: f64,
+    doubled: Doubled,
+}
+
+/// What speaks against going on.
+pub(super) enum Hopeless {
+    /// Mean length of the last steps: at this pace there are too many.
+    Short(f64),
+    /// Their number doubles every so many seconds.
+    Growing(f64),
 }
 
 impl Pace {
     fn look<S: System + ?Sized>(&mut self, flow: &Flow<'_, S>, end: f64, most: f64) -> Result<(), Fault> {
         match self.is_hopeless((flow.work().steps, flow.time()), end, most) {
-            Some(step) => Err(Fault::too_many_steps(&flow.fastest(), flow.time(), step, self.remaining)),
+            Some(Hopeless::Short(step)) => Err(Fault::too_many_steps(&flow.fastest(), flow.time(), step, self.remaining)),
+            Some(Hopeless::Growing(took)) => Err(Fault::ever_more_steps(&flow.fastest(), flow.time(), took, self.remaining)),
             None => Ok(()),
         }
     }
 
-    /// Every [`PACE`] steps: the steps that remain at the pace of the last ones, whose mean length is told where they are too many.
-    pub(super) fn is_hopeless(&mut self, (steps, time): (u64, f64), end: f64, most: f64) -> Option<f64> {
+    /// Every [`PACE`] steps: the steps that remain at the pace of the last ones, and as their number grows.
+    pub(super) fn is_hopeless(&mut self, (steps, time): (u64, f64), end: f64, most: f64) -> Option<Hopeless> {
         if !steps.is_multiple_of(PACE) {
             return None;
         }
@@ -149,7 +160,12 @@ impl Pace {
         self.before = time;
         self.remaining = (end - time) / step;
         self.hopeless = if steps as f64 + self.remaining > most { self.hopeless + 1 } else { 0 };
-        (self.hopeless >= PATIENCE).then_some(step)
+        if self.hopeless >= PATIENCE {
+            return Some(Hopeless::Short(step));
+        }
+        let (took, needed) = self.doubled.look((steps, time), (end, most))?;
+        self.remaining = needed;
+        Some(Hopeless::Growing(took))
     }
 }
 
