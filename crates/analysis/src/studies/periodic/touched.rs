@@ -21,7 +21,7 @@ const TOUCHED: f64 = 1e-9;
 const NEAR: f64 = 1e-6;
 /// A law that jumps by less than this share of itself is continuous: rates are known to more digits.
 const JUMPS: f64 = 1e-9;
-/// Share of itself by which a rate may differ at both ends of a turn that closes.
+/// Share of the rates in the steps there by which a rate may differ at both ends of a turn that closes.
 const CLOSED: f64 = 1e-6;
 
 /// A least distance of a switch from its surface.
@@ -31,6 +31,8 @@ struct Low {
     /// Time after its start.
     tau: f64,
     value: f64,
+    /// Largest distance on the way to it since the switch happened last.
+    from: f64,
 }
 
 /// Whether a switch is only touched along the turn.
@@ -42,7 +44,9 @@ pub(super) fn is_touched<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scal
             continue;
         }
         let (lows, largest) = lows(system, orbit, guard);
-        for low in lows.into_iter().filter(|low| low.value <= NEAR * largest) {
+        // what has just left its surface, with a rate that is rounding, comes from nowhere
+        let comes_near = |low: &Low| low.value <= NEAR * largest && low.from > NEAR * largest;
+        for low in lows.into_iter().filter(comes_near) {
             if touches(system, (orbit, guard), &low, (scales, largest))? {
                 return Ok(true);
             }
@@ -80,10 +84,14 @@ fn lows<S: System + ?Sized>(system: &S, orbit: &Orbit, guard: usize) -> (Vec<Low
     // where the turn closes its end is the time before its start
     let mut before = steps.last().filter(|_| !switches(last)).and_then(|step| {
         let sign = side(system, guard, &step.modes)?;
-        let [end, start] = [distance(step, guard, sign, step.length)[1], distance(&steps[0], guard, sign, 0.0)[1]];
-        ((end - start).abs() <= CLOSED * (end.abs() + start.abs())).then_some((sign, end))
+        let rates = |step: &Step| [0.0, step.length].map(|tau| distance(step, guard, sign, tau)[1]);
+        let ([first, end], [start, second]) = (rates(step), rates(&steps[0]));
+        // at a touch both rates are rounding of what they are elsewhere
+        let size = [first, end, start, second].into_iter().fold(0.0, |m: f64, rate| m.max(rate.abs()));
+        ((end - start).abs() <= CLOSED * size).then_some((sign, end))
     });
     let (mut list, mut largest) = (Vec::new(), 0.0_f64);
+    let mut from = if before.is_some() { f64::INFINITY } else { 0.0 };
     for (k, step) in steps.iter().enumerate() {
         let Some(sign) = side(system, guard, &step.modes) else {
             before = None;
@@ -91,13 +99,16 @@ fn lows<S: System + ?Sized>(system: &S, orbit: &Orbit, guard: usize) -> (Vec<Low
         };
         let at = |tau: f64| distance(step, guard, sign, tau);
         let mut rate_before = before.filter(|(own, _)| *own == sign).map(|(_, rate)| rate);
+        if rate_before.is_none() {
+            from = 0.0;
+        }
         for part in 0..=PARTS {
             let tau = step.length * part as f64 / PARTS as f64;
             let [value, rate] = at(tau);
-            largest = largest.max(value.abs());
+            (largest, from) = (largest.max(value.abs()), from.max(value));
             if rate_before.is_some_and(|before| before < 0.0) && rate >= 0.0 {
                 let tau = if part == 0 { tau } else { turned(&at, [step.length * (part - 1) as f64 / PARTS as f64, tau]) };
-                list.push(Low { step: k, tau, value: at(tau)[0] });
+                list.push(Low { step: k, tau, value: at(tau)[0], from });
             }
             rate_before = Some(rate);
         }
