@@ -2,6 +2,7 @@
 
 use crate::results::{Fact, Results};
 use analysis::dataset::Event;
+use analysis::marks::endless::endless;
 use analysis::reduce::{NAMES, Reduction, reduce, within};
 use mechanics::asked::observed::observed;
 use serde_json::Value;
@@ -159,11 +160,10 @@ impl Reduced {
     }
 }
 
-/// How many events are such; without end where a contact closes after infinitely many impacts, of which only those above rounding are listed.
+/// How many events are such; without end where they go along with infinitely many impacts, of which only those above rounding are listed.
 fn count(results: &Results, is: &dyn Fn(&Event) -> bool) -> f64 {
-    let of = || results.data.events.iter().filter(|event| is(event));
-    let endless = of().any(|event| event.contact.as_ref().is_some_and(|change| change.endless));
-    if endless { f64::INFINITY } else { of().count() as f64 }
+    let events = &results.data.events;
+    if endless(events, is).is_some() { f64::INFINITY } else { events.iter().filter(|event| is(event)).count() as f64 }
 }
 
 /// The name in `events(name)`.

@@ -311,6 +311,7 @@ fn sought(machine: &mut Machine, (study, aim): (&Periodic, Aim), start: &[f64], 
             doing(in_progress(stage));
         }
     };
+    let events = plan::events(&machine.model, &machine.equations);
     let pushes = plan::pushes(&machine.model, &machine.equations);
     let options = Options {
         by,
@@ -321,6 +322,7 @@ fn sought(machine: &mut Machine, (study, aim): (&Periodic, Aim), start: &[f64], 
         tolerance: study.tolerance.min(1e-13),
         grid,
         outputs: Some(plotted),
+        events: &events,
         pushes: &pushes,
         listener: Listener { interrupt: watch.interrupt, told: Some(&told) },
         coefficients: study.coefficients,

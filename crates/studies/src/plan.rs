@@ -79,26 +79,26 @@ pub fn pushes(model: &Model, equations: &Equations) -> Vec<Push> {
         let holder = push_output(name);
         let output = equations.outputs.iter().position(|o| o.name == holder)?;
         let label = equations.outputs[output].label.clone();
-        Some(Push { name: format!("normal({name})"), label, output, beyond: Beyond::Noted, impulse: None })
+        Some(Push { name: format!("normal({name})"), label, output, beyond: Beyond::Noted, impulse: only_reaction(equations, &holder) })
     };
     let strand = |name: &str, k: usize| {
         let holder = strand_output(name, k);
         let output = equations.outputs.iter().position(|o| o.name == holder)?;
         let label = equations.outputs[output].label.clone();
-        Some(Push { name: format!("slack_side({name})"), label, output, beyond: Beyond::Ends, impulse: only_strand(equations, name) })
+        Some(Push { name: format!("slack_side({name})"), label, output, beyond: Beyond::Ends, impulse: only_reaction(equations, &holder) })
     };
     let of = |name: &str| watched(name).into_iter().chain((0..2).filter_map(|k| strand(name, k))).collect::<Vec<_>>();
     model.connections.iter().flat_map(|c| of(&c.name)).collect()
 }
 
-/// The reaction of a chain whose only strand pulls, and the sign of its force in that strand; strands of belts share an impulse with opposite signs.
-fn only_strand(equations: &Equations, name: &str) -> Option<(String, f64)> {
-    let holder = |k: usize| equations.outputs.iter().find(|o| o.name == strand_output(name, k));
-    let reaction = equations.reactions.iter().find(|r| r.name == format!("force({name})"))?;
-    let (only, None) = (holder(0)?, holder(1)) else { return None };
-    let tension = |force: f64| equations.graph.evaluate(&[only.formula], &|s| if s == reaction.symbol { force } else { 0.0 })[0];
-    let sign = tension(1.0) - tension(0.0);
-    (sign.abs() == 1.0).then(|| (reaction.name.clone(), sign))
+/// The only reaction in a force that only pushes, or in the tension of a strand, and the sign that it has there: in an impact nothing else counts, the pretension of a belt included.
+fn only_reaction(equations: &Equations, holder: &str) -> Option<(String, f64)> {
+    let output = equations.outputs.iter().find(|o| o.name == holder)?;
+    let mut inside = equations.reactions.iter().filter(|r| equations.graph.contains(output.formula, |s| s == r.symbol));
+    let (reaction, None) = (inside.next()?, inside.next()) else { return None };
+    let force = |of: f64| equations.graph.evaluate(&[output.formula], &|s| if s == reaction.symbol { of } else { 0.0 })[0];
+    let slope = force(1.0) - force(0.0);
+    (slope.is_finite() && slope != 0.0).then(|| (reaction.name.clone(), slope.signum()))
 }
 
 /// The start of the motion with some coordinates replaced, as a place to search from.

@@ -9,6 +9,7 @@
 pub(crate) mod bridge;
 pub(crate) mod course;
 pub mod crossings;
+pub mod endless;
 pub mod extremes;
 pub mod named;
 mod peaks;

@@ -23,6 +23,17 @@ pub enum Direction {
     Both,
 }
 
+impl Direction {
+    /// Whether a passage to a sign counts.
+    pub(crate) fn counts(self, sign: f64) -> bool {
+        match self {
+            Direction::Both => true,
+            Direction::Rising => sign > 0.0,
+            Direction::Falling => sign < 0.0,
+        }
+    }
+}
+
 /// A named event of a system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
@@ -45,6 +56,16 @@ pub struct Happened {
     pub tau: f64,
     /// Sign afterwards.
     pub sign: f64,
+}
+
+/// What happened where an event passes zero to a sign, for people.
+pub(crate) fn passed(name: &str, sign: f64) -> Text {
+    let (en, ru) = if sign > 0.0 {
+        ("rises through zero", "проходит нуль снизу")
+    } else {
+        ("falls through zero", "проходит нуль сверху")
+    };
+    Text::new(format!("{name}: {en}"), format!("{name}: {ru}"))
 }
 
 /// Follows the events along a motion.
@@ -95,7 +116,11 @@ impl Watcher {
             self.states[i] = (sign, largest);
             self.blurred[i] |= lost;
             let all = begins.map(|_| (0.0, turns.first)).into_iter().chain(turns.list);
-            found.extend(all.filter(|(_, sign)| self.counts(i, *sign)).map(|(tau, sign)| Happened { event: i, tau, sign }));
+            found.extend(all.filter(|(_, sign)| self.events[i].direction.counts(*sign)).map(|(tau, sign)| Happened {
+                event: i,
+                tau,
+                sign,
+            }));
         }
         self.started = true;
         found.arrange_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
@@ -104,14 +129,6 @@ impl Watcher {
             found.truncate(k + 1);
         }
         found
-    }
-
-    fn counts(&self, i: usize, sign: f64) -> bool {
-        match self.events[i].direction {
-            Direction::Both => true,
-            Direction::Rising => sign > 0.0,
-            Direction::Falling => sign < 0.0,
-        }
     }
 
     /// Events whose formulas could not be followed everywhere.
@@ -126,13 +143,7 @@ impl Watcher {
 
     /// What happened, for people, and the signs before and after.
     pub(crate) fn told(&self, happened: &Happened) -> (Text, [f64; 2]) {
-        let name = &self.events[happened.event].name;
-        let (en, ru) = if happened.sign > 0.0 {
-            ("rises through zero", "проходит нуль снизу")
-        } else {
-            ("falls through zero", "проходит нуль сверху")
-        };
-        (Text::new(format!("{name}: {en}"), format!("{name}: {ru}")), [-happened.sign, happened.sign])
+        (passed(&self.events[happened.event].name, happened.sign), [-happened.sign, happened.sign])
     }
 
     /// That an event ended the motion at `t`, s.

@@ -107,16 +107,19 @@ impl Pushes {
         value < 0.0 && along.rounding(tau).get(output).is_none_or(|rounding| value < -CERTAIN * rounding)
     }
 
-    /// Looks at the impulses of an instant.
-    pub(crate) fn strike(&mut self, t: f64, impulses: &[Impulse]) {
+    /// Looks at the impulses of an instant: which contacts would have to pull in it.
+    pub(crate) fn strike(&mut self, t: f64, impulses: &[Impulse]) -> Vec<usize> {
         let largest = impulses.iter().fold(0.0_f64, |m, p| m.max(p.value.abs()));
-        for (push, pulled) in self.list.iter().zip(&mut self.pulled) {
+        let mut found = Vec::new();
+        for (i, (push, pulled)) in self.list.iter().zip(&mut self.pulled).enumerate() {
             let Some((name, sign)) = &push.impulse else { continue };
             let wrong = |p: &Impulse| p.name == *name && sign * p.value < -STRUCK * largest;
             if impulses.iter().any(wrong) {
                 *pulled = pulled.or(Some(t));
+                found.push(i);
             }
         }
+        found
     }
 
     /// The first force of the wrong sign after which nothing is right.

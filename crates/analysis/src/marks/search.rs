@@ -63,7 +63,8 @@ impl<'a, L: Line> Search<'a, L> {
 
     /// Looks at the step by the polynomials of its samples.
     pub(super) fn whole(&mut self, pieces: &[&Piece]) {
-        let begins = self.sign == 0.0 && self.rests(0.0);
+        // what has no value at the start does not leave zero there
+        let begins = self.sign == 0.0 && !self.line.output(0.0, self.output).is_nan() && self.rests(0.0);
         let largest = |piece: &&Piece| piece.row.iter().fold(0.0, |m: f64, b| m.max(b.abs()));
         self.largest = pieces.iter().map(largest).fold(self.largest, f64::max);
         for piece in pieces {

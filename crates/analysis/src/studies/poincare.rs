@@ -6,6 +6,7 @@
 //! *Source*: H. Poincaré, Les méthodes nouvelles de la mécanique céleste, vol. 3, ch. 27; F. C. Moon, Chaotic Vibrations, Wiley 1987, ch. 2.
 
 use crate::dataset::{Column, Dataset};
+use crate::marks::endless::endless;
 use crate::marks::named::Named;
 use crate::studies::simulate::{Grid, Outcome, Simulate, simulate};
 use crate::{Fault, System};
@@ -49,8 +50,9 @@ pub fn poincare<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
     let found = outcome.dataset.columns.first().map_or(0, |c| c.values.len());
     if let Some(wanted) = options.points.filter(|n| *n > found && outcome.fault.is_none()) {
         outcome.dataset.partial = true;
-        outcome.fault = Some(too_few(found, wanted, options.motion.until));
+        outcome.fault = Some(too_few((found, wanted), options.motion.until, limit(&outcome.dataset, &options)));
     }
+    points_alone(&mut outcome.dataset);
     outcome
 }
 
@@ -71,7 +73,6 @@ fn stroboscope<S: System + ?Sized>(system: &mut S, start: &[f64], period: f64, o
         let mut keep = kept.iter();
         column.values.retain(|_| keep.next().is_none_or(|k| *k));
     }
-    points_alone(&mut outcome.dataset);
     outcome
 }
 
@@ -84,7 +85,6 @@ fn crossings<S: System + ?Sized>(system: &mut S, start: &[f64], named: &Named, o
         let passages = collect(&mut outcome.dataset, named, options);
         let enough = options.points.is_some_and(|n| passages >= n);
         if enough || end >= longest || outcome.fault.is_some() || outcome.dataset.partial {
-            points_alone(&mut outcome.dataset);
             return outcome;
         }
         end = (2.0 * end).min(longest);
@@ -141,15 +141,34 @@ fn points_alone(data: &mut Dataset) {
     data.events.clear();
 }
 
-fn too_few(found: usize, wanted: usize, until: f64) -> Fault {
+/// The instant before which the motion passes its section infinitely often, where it does.
+fn limit(data: &Dataset, options: &Poincare<'_>) -> Option<f64> {
+    let Section::Passing(named) = &options.section else { return None };
+    endless(&data.events, &|event| event.name == named.name).filter(|t| *t >= options.settle)
+}
+
+fn too_few((found, wanted): (usize, usize), until: f64, limit: Option<f64>) -> Fault {
     let t = words::digits::rounded(until);
+    let why = match limit.map(words::digits::number) {
+        Some(n) => Text::new(
+            format!(
+                "the motion passes the section infinitely often before t = {} s, nearer than rounding to one another, and comes to rest",
+                n.en
+            ),
+            format!(
+                "движение проходит сечение бесконечно много раз до t = {} с, через промежутки меньше погрешности округления, и прекращается",
+                n.ru
+            ),
+        ),
+        None => Text::new("the motion passes the section more rarely, or comes to rest", "движение проходит сечение реже или прекращается"),
+    };
     Fault::new(Message {
         code: "S117",
         what: Text::new(
             format!("the motion has {found} section points up to t = {} s; {wanted} are wanted", t.en),
             format!("до t = {} с у движения точек сечения: {found}; нужно {wanted}", t.ru),
         ),
-        why: Text::new("the motion passes the section more rarely, or comes to rest", "движение проходит сечение реже или прекращается"),
+        why,
         help: Text::new("take a larger `until`, or another section", "увеличьте `until` или выберите другое сечение"),
     })
 }

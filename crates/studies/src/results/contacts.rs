@@ -138,6 +138,8 @@ fn word(state: &str, language: Language) -> &'static str {
         "taut" => ("taut", "натянут"),
         "forward" => ("slides forward", "скольжение вперёд"),
         "backward" => ("slides back", "скольжение назад"),
+        "pushes" => ("pushes", "давит"),
+        "pulls" => ("pulls", "тянет"),
         _ => ("sticks", "залипание"),
     };
     language.pick(en, ru)

@@ -29,6 +29,9 @@ const STOPPED: f64 = 64.0 * f64::EPSILON;
 /// Rounding of an instant, in units of the last place of the time: some of those of a step and of the search for a zero in it.
 const AT_ONCE: f64 = 64.0 * f64::EPSILON;
 
+/// Height of a flight that is rounding of the positions: some units of their last place, for the rate of the impact before it is that with which it began at most.
+const FLOWN: f64 = 64.0 * f64::EPSILON;
+
 /// Rounding of a gap, in units of the last place of the positions.
 const MET: f64 = 8.0 * f64::EPSILON;
 
@@ -211,6 +214,18 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         self.search()?;
         Ok(flights.into_iter().map(|(i, _)| (i, limit)).collect())
+    }
+
+    /// Whether a contact closes without an impact because the flight from its last one is rounding of the time or of the positions: what happens in that flight (a friction that reverses and
+    /// sticks) ends impacts that would follow one another without end.
+    pub(super) fn dies_away(&self, i: usize) -> bool {
+        if !self.is_contact(i) || self.modes_before[i] != Mode::Positive || self.modes[i] != Mode::Zero {
+            return false;
+        }
+        let Some(hit) = self.hits[i] else { return false };
+        let flown = hit.at.until(self.now.high) + self.now.low;
+        let places = self.x[..self.system.n_coordinates()].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        flown <= AT_ONCE * self.now.high.abs().max(self.natural) || hit.rate.abs() * flown <= FLOWN * places
     }
 
     /// Time until the impacts that follow this one are over, infinite where they do not shrink; `flight` is the time to the next.

@@ -489,7 +489,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
             let told = impacts.iter().any(|impact| impact.guard == guard) || rests.iter().any(|r| r.0 == guard);
             if listed == Listed::All && !told && self.is_told(guard) {
                 let jolts = self.jolted && self.system.guards()[guard].kind == GuardKind::Switch;
-                let change = if jolts { Change::Jolt } else { Change::Mode };
+                let change = match jolts {
+                    true => Change::Jolt,
+                    false if self.dies_away(guard) => Change::Rests { limit: t },
+                    false => Change::Mode,
+                };
                 self.switches.push(Switch { t, guard, before: mode, after: self.modes[guard], change });
             }
         }

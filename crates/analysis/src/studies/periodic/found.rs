@@ -195,7 +195,12 @@ impl Found<'_> {
     /// The largest part of a gap, in scales, that does not follow from what can be chosen: whole turns of angles in mesh that the laws feel; and, where what holds at the start does not hold at the end
     /// (a friction that sticks, a closed contact), the rates that followed from it.
     pub(super) fn off(&self, gap: &[f64]) -> f64 {
-        let [begin, end] = &self.orbit.modes;
+        self.off_in(gap, &self.orbit.modes[1])
+    }
+
+    /// The same where the turn has come to other modes.
+    fn off_in(&self, gap: &[f64], end: &[Mode]) -> f64 {
+        let begin = &self.orbit.modes[0];
         let held = |mode: &Mode| *mode == Mode::Zero;
         let same = begin.iter().map(held).eq(end.iter().map(held));
         let followed = match (self.free.len() < gap.len(), same) {
@@ -333,14 +338,20 @@ impl Found<'_> {
         turns::repeats(system, (&self.orbit, self.orbit.period), (time, &self.carried), &known)
     }
 
-    /// Whether the state at that instant is the one at the start.
+    /// Whether the state at that instant is the one at the start, on one side of it where something switches there: rates that follow from what holds at the start (a friction that sticks) are
+    /// compared too where it does not hold.
     fn comes_back_after(&self, t: f64) -> bool {
-        let mut gap: Vec<f64> = self.orbit.state_at(t).iter().zip(&self.orbit.first).map(|(a, b)| a - b).collect();
-        gap.iter_mut().zip(self.drift()).for_each(|(gap, v)| *gap -= v * t);
-        self.turns.take_off(&mut gap);
-        self.clear(&mut gap);
-        // a regime that closes to 1e-10 comes back so where it repeats earlier
-        self.miss(&gap, None) < 1e-8
+        self.orbit.sides_at(t).any(|step| {
+            let mut x = vec![0.0; self.orbit.first.len()];
+            step.state_at(t.clamp(step.start.high, step.end().high.max(step.start.high)), &mut x);
+            let mut gap: Vec<f64> = x.iter().zip(&self.orbit.first).map(|(a, b)| a - b).collect();
+            gap.iter_mut().zip(self.drift()).for_each(|(gap, v)| *gap -= v * t);
+            self.turns.take_off(&mut gap);
+            self.clear(&mut gap);
+            let returning = self.returning(None).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max);
+            // a regime that closes to 1e-10 comes back so where it repeats earlier
+            returning.max(self.off_in(&gap, &step.modes)) < 1e-8
+        })
     }
 
     /// Whether time occurs in the equations.

@@ -16,6 +16,7 @@ mod coefficients;
 mod faults;
 mod found;
 mod fundamental;
+mod happens;
 mod listener;
 mod multiple;
 mod newton;
@@ -30,6 +31,7 @@ mod slopes;
 mod spectrum;
 mod square;
 mod symmetry;
+mod touched;
 mod trial;
 mod turns;
 mod variation;
@@ -48,6 +50,7 @@ pub use verdict::NEUTRAL;
 use crate::fault::codes;
 use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;
+use fundamental::Blur;
 use verdict::stable;
 use words::Text;
 
@@ -117,21 +120,8 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         return Err(nothing_moves());
     }
     let (found, parts) = sought(system, start, options)?;
-    let plan = simulate::Simulate {
-        grid: options.grid.clone(),
-        outputs: options.outputs.clone(),
-        pushes: options.pushes.to_vec(),
-        tolerance: options.tolerance,
-        interrupt: options.listener.interrupt,
-        seed: options.seed,
-        joints: parts.as_ref().map_or_else(Vec::new, |parts| parts.joints.clone()),
-        ..simulate::Simulate::until(found.orbit.period)
-    };
-    let run = simulate::simulate(system, &found.orbit.first, plan);
-    if let Some(fault) = run.fault {
-        return Err(fault);
-    }
-    let mut dataset = run.dataset;
+    let joints = parts.as_ref().map_or_else(Vec::new, |parts| parts.joints.clone());
+    let mut dataset = over_a_period(system, &found, joints, options)?;
     let closure = found.closure(system)?;
     let closes = closure.ok;
     if !closes {
@@ -171,6 +161,33 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         returning,
         own,
     })
+}
+
+/// The motion over a period, with its events.
+fn over_a_period<S: System + ?Sized>(
+    system: &mut S,
+    found: &Found<'_>,
+    joints: Vec<(f64, Vec<f64>)>,
+    options: &Periodic<'_>,
+) -> Result<Dataset, Fault> {
+    let plan = simulate::Simulate {
+        grid: options.grid.clone(),
+        outputs: options.outputs.clone(),
+        events: happens::watched(options.events),
+        pushes: options.pushes.to_vec(),
+        tolerance: options.tolerance,
+        interrupt: options.listener.interrupt,
+        seed: options.seed,
+        joints,
+        ..simulate::Simulate::until(found.orbit.end())
+    };
+    let run = simulate::simulate(system, &found.orbit.first, plan);
+    if let Some(fault) = run.fault {
+        return Err(fault);
+    }
+    let mut dataset = run.dataset;
+    happens::once_a_period(system, found, options.events, &mut dataset)?;
+    Ok(dataset)
 }
 
 /// The turn, with its parts where they are asked for.
@@ -238,7 +255,9 @@ fn begun<'o, S: System + ?Sized>(system: &mut S, found: Found<'o>, begin: Formul
         return Err(section_of_forced());
     }
     let x = found.orbit.first_zero(begin).ok_or_else(never_passed)?;
-    let x = found.at_time_zero(x);
+    let mut x = found.at_time_zero(x);
+    // where the section is passed at an impact, what rounding has left of a gap at zero is no penetration
+    newton::tidy(&mut x, &found.scales);
     let again = Periodic { settle: 0.0, begin: None, by: options.by.clone(), grid: Grid::Auto, outputs: None, ..*options };
     // corrected once more; where the section lies on a switch or at rest, the correction may lead away from it
     match newton::solve(system, &x, &again) {
@@ -265,6 +284,7 @@ fn multipliers<S: System + ?Sized>(
         }
         Err(fault) => return Err(fault),
     };
+    let blur = if blur == Blur::None && touched::is_touched(system, &found.orbit, &found.scales)? { Blur::Grazing } else { blur };
     if let Some(note) = blur.told() {
         dataset.notes.push(note);
         return Ok(None);

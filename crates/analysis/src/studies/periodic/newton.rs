@@ -213,7 +213,7 @@ const VAIN: usize = 2;
 
 /// What a turn or a correction has left of a zero. A start on a switch (a dead centre, where the sliding turns) is on it exactly: the motion then decides on
 /// which side it goes on, and not the sign of the rounding.
-fn tidy(x: &mut [f64], scales: &[f64]) {
+pub(super) fn tidy(x: &mut [f64], scales: &[f64]) {
     x.iter_mut().zip(scales).filter(|(x, s)| x.abs() <= TIDY * **s).for_each(|(x, _)| *x = 0.0);
 }
 

@@ -4,6 +4,7 @@ use algebra::elementary;
 
 use super::listener::Listener;
 use super::orbit::Limit;
+use crate::marks::named::Named;
 use crate::marks::pushes::Push;
 use crate::studies::simulate::Grid;
 
@@ -50,6 +51,8 @@ pub struct Periodic<'a> {
     pub grid: Grid,
     /// Outputs by name; all when absent.
     pub outputs: Option<Vec<String>>,
+    /// Formulas whose zeros are events.
+    pub events: &'a [Named],
     /// Forces that must keep their sign, as in a simulation.
     pub pushes: &'a [Push],
     /// Told what the search does, and asked whether it is to end.
@@ -74,6 +77,7 @@ impl Default for Periodic<'_> {
             tolerance: 1e-14,
             grid: Grid::Auto,
             outputs: None,
+            events: &[],
             pushes: &[],
             listener: Listener::default(),
             seed: 1,

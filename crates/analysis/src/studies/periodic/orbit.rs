@@ -75,6 +75,8 @@ impl Orbit {
 const TOGETHER: f64 = 1e-13;
 /// Share of its time behind the end of a turn within which a switch belongs to it: some roundings of a phase.
 const BEHIND: f64 = 64.0 * f64::EPSILON;
+/// Instants that differ by less than this share of the period are one: a regime closes to 1e-10, and its switches happen as exactly.
+pub(super) const ONE: f64 = 1e-10;
 /// Most steps of a turn.
 const STEPS: usize = 200_000;
 
@@ -257,6 +259,19 @@ impl Orbit {
             step.state_at(t, &mut x);
         }
         x
+    }
+
+    /// To where the motion is followed so that it holds all that a period has: a switch at its very end may lie behind it by rounding.
+    pub(super) fn end(&self) -> f64 {
+        let last = self.steps.len().saturating_sub(1);
+        let behind = self.jumps.last().is_some_and(|jump| jump.after == last && self.steps[last].length == 0.0);
+        if behind { self.period + BEHIND * self.period } else { self.period }
+    }
+
+    /// The steps in which an instant lies: two where one ends and the next begins within rounding of it.
+    pub(super) fn sides_at(&self, t: f64) -> impl Iterator<Item = &Step> {
+        let within = ONE * self.period;
+        self.steps.iter().filter(move |step| step.start.high - within <= t && t <= step.end().high + within)
     }
 
     /// Range of each state along the turn, seen from a frame that moves with these velocities, and its largest magnitude. Steps are looked at inside too: a body may

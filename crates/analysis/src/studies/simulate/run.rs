@@ -22,13 +22,14 @@ use crate::integrate::Step;
 use crate::integrate::crossings::words::{change, describe, standing};
 use crate::integrate::crossings::{Change, Switch};
 use crate::integrate::taylor::{Flow, Options, Work};
+use crate::marks::endless::endless;
 use crate::marks::extremes::Extremes;
 use crate::marks::named::Watcher;
 use crate::marks::pushes::Pushes;
 use crate::marks::windows::Windows;
 use crate::studies::pace::Doubled;
 use crate::{Fault, GuardKind, Mode, Quantity, System};
-use words::digits::rounded;
+use words::digits::{number, rounded};
 
 /// Steps between looks at the pace.
 const PACE: u64 = 1024;
@@ -343,7 +344,8 @@ impl Run {
             self.book_works(flow, &switches, &states, [&before, &after]);
         }
         let mut impulses = self.impulses(flow, &switches);
-        self.pushes.strike(t, &impulses);
+        let pulled = self.pushes.strike(t, &impulses);
+        self.list_pulled((t, pulled), &states, &outputs);
         let sides = std::iter::repeat_n((states, outputs), switches.len());
         for (switch, (states, outputs)) in switches.iter().zip(sides) {
             let mut what = describe(switch, &flow.system().guards()[switch.guard]);
@@ -398,6 +400,22 @@ impl Run {
         untraced(&outputs.chain(events).collect::<Vec<_>>())
     }
 
+    /// That named events, contacts and frictions go along with infinitely many impacts, where their own events do not say so.
+    fn without_end(&self) -> Vec<Text> {
+        let told = |name: &str| self.events.iter().filter_map(|e| e.contact.as_ref()).any(|c| c.contact == name && c.endless);
+        let contacts = self.contacts.iter().map(|standing| standing.contact.as_str()).filter(|name| !told(name));
+        let names = self.named.events().iter().map(|event| event.name.as_str()).chain(contacts);
+        let one = |name: &str| {
+            let is = |event: &Event| event.name == name || event.contact.as_ref().is_some_and(|change| change.contact == name);
+            let n = number(endless(&self.events, &is)?);
+            Some(Text::new(
+                format!("{name}: infinitely many events before t = {} s; only those above rounding are listed", n.en),
+                format!("{name}: до t = {} с бесконечно много событий; перечислены лишь те, что больше погрешности округления", n.ru),
+            ))
+        };
+        names.filter_map(one).collect()
+    }
+
     /// What is to be said of the motion.
     pub(super) fn notes<S: System + ?Sized>(&self, system: &S) -> Vec<Text> {
         let mut notes = system.notes().to_vec();
@@ -427,6 +445,7 @@ impl Run {
         if let Some((t, event)) = self.ended {
             notes.push(self.named.ending(event, t));
         }
+        notes.extend(self.without_end());
         notes.extend(self.shared.note(system));
         notes.extend(self.rivals.note());
         notes.extend(self.pushes.notes(Since::Time));

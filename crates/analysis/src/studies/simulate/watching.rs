@@ -9,6 +9,7 @@ use crate::integrate::Step;
 use crate::integrate::taylor::Flow;
 use crate::marks::Along;
 use crate::marks::named::Happened;
+use crate::marks::pushes::Beyond;
 use crate::proxies::proxy::Source;
 use crate::{Fault, System};
 
@@ -65,6 +66,32 @@ impl Run {
             if let Some(event) = self.events.last_mut() {
                 event.contact = Some(ContactChange { contact, from: "pushes", to: "pulls", impulse: None, endless: false });
             }
+        }
+    }
+
+    /// Lists contacts that only push and would have to pull in an impact.
+    pub(super) fn list_pulled(&mut self, (t, pulled): (f64, Vec<usize>), states: &[Vec<f64>; 2], outputs: &[Vec<f64>; 2]) {
+        for push in pulled.into_iter().map(|i| &self.pushes.list()[i]).filter(|push| push.beyond == Beyond::Noted) {
+            let what = Text::new(
+                format!("{}: the normal impulse is negative", push.label.en),
+                format!("{}: нормальный импульс отрицателен", push.label.ru),
+            );
+            let contact = push.label.en.rsplit(' ').next().unwrap_or_default().to_owned();
+            // before and behind the instant it pushes
+            let contact = Some(ContactChange { contact, from: "pushes", to: "pushes", impulse: None, endless: false });
+            let (states, outputs) = (states.clone(), outputs.clone());
+            let name = push.name.clone();
+            self.events.push(Event {
+                t,
+                name,
+                what,
+                guard: usize::MAX,
+                sides: [1.0, -1.0],
+                states,
+                outputs,
+                contact,
+                impulses: Vec::new(),
+            });
         }
     }
 
