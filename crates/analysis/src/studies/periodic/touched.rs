@@ -105,11 +105,13 @@ fn lows<S: System + ?Sized>(system: &S, orbit: &Orbit, guard: usize) -> (Vec<Low
         for part in 0..=PARTS {
             let tau = step.length * part as f64 / PARTS as f64;
             let [value, rate] = at(tau);
-            (largest, from) = (largest.max(value.abs()), from.max(value));
+            largest = largest.max(value.abs());
             if rate_before.is_some_and(|before| before < 0.0) && rate >= 0.0 {
                 let tau = if part == 0 { tau } else { turned(&at, [step.length * (part - 1) as f64 / PARTS as f64, tau]) };
                 list.push(Low { step: k, tau, value: at(tau)[0], from });
             }
+            // only behind it: what rises from the surface is not on its way to it
+            from = from.max(value);
             rate_before = Some(rate);
         }
         before = rate_before.filter(|_| !switches(k)).map(|rate| (sign, rate));
