@@ -266,6 +266,7 @@ impl Sketch<'_> {
             (true, false, false) if on_ground => {
                 self.floor(group, 0.0);
                 self.put("block", &path, place);
+                self.rough(group);
             }
             _ => self.put("block", &path, place),
         }
