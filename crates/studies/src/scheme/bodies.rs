@@ -17,7 +17,7 @@ impl Sketch<'_> {
         for i in order {
             match self.blocks[i] {
                 Some(_) => self.block(i),
-                None if self.groups.all[i].turns => self.link(i),
+                None if self.groups.all[i].turns || self.is_bar(i) => self.link(i),
                 None => self.mover(i),
             }
         }

@@ -30,12 +30,12 @@ pub(super) fn isolate(sketch: &mut Sketch, body: FrameId) {
     let path = sketch.groups.all[group].path.clone();
     sketch.scheme.items.retain(|item| item.path == path);
     let mut cut = Cut { sketch, group, axle, taken: Vec::new() };
-    // the weight comes first: it starts at the mass centre, and what lies on its line makes room
+    // what is given comes first, then the weight; reactions that lie on their lines make room
+    cut.loads();
     cut.weight();
     cut.connections();
     cut.joints();
     cut.acts();
-    cut.loads();
     let (weights, others): (Vec<_>, Vec<_>) =
         std::mem::take(&mut cut.sketch.scheme.items).into_iter().partition(|item| item.path == "gravity");
     cut.sketch.scheme.items = [others, weights].concat();
@@ -291,6 +291,10 @@ impl Cut<'_, '_> {
     /// The resistance of a medium, where one acts on this body.
     fn dragged(&mut self, element: &mechanics::model::Element) {
         let sketch = &*self.sketch;
+        // a damper is an act already
+        if sketch.acts.iter().any(|act| act.path == element.path) {
+            return;
+        }
         let drag = super::laws::drag(sketch.machine, &sketch.groups, (element, sketch.at));
         if let Some(drag) = drag.filter(|drag| self.is_mine(drag.on)) {
             self.sketch.dragged(&element.path, drag);

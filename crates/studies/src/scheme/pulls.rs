@@ -231,10 +231,13 @@ impl Sketch<'_> {
     pub(super) fn pivot(&self, on: FrameId, from: FrameId) -> P {
         let (a, b) = (self.groups.of(on), self.groups.of(from));
         let root = |g: usize| self.origin(self.groups.all[g].root);
+        if let Some(pin) = self.pin_of([a, b]) {
+            return pin;
+        }
         match () {
             () if self.groups.all[b].carrier == a && b != 0 => root(b),
             () if self.groups.all[a].carrier == b => root(a),
-            () => self.hinge_of(a, b).or_else(|| self.pin_of([a, b])).unwrap_or_else(|| root(a)),
+            () => self.hinge_of(a, b).unwrap_or_else(|| root(a)),
         }
     }
 

@@ -404,7 +404,12 @@ impl Sketch<'_> {
         let particle =
             matches!(g.joint, Joint::Shifts | Joint::Free) && look.boxes.is_empty() && !self.acts.iter().any(|a| self.touches(a, group));
         let moves = matches!(g.joint, Joint::Slides(_) | Joint::Shifts | Joint::Free);
-        !g.turns && look.wheels.is_empty() && g.heavy && moves && !particle
+        !g.turns && look.wheels.is_empty() && g.heavy && moves && !particle && !self.is_bar(group)
+    }
+
+    /// Whether a group that does not turn is a link: formulas hinge it at more than one place.
+    pub fn is_bar(&self, group: usize) -> bool {
+        !self.groups.all[group].turns && self.pins.iter().filter(|p| p.groups.contains(&group)).count() > 1
     }
 
     /// Groups that move without turning and have mass become blocks.
