@@ -100,7 +100,7 @@ impl<'a> Law<'a> {
         let moved = (0..model.coordinates.len()).filter(|j| has(model.coordinates[*j].symbols[usize::from(!energy)])).collect();
         let law = Law { machine, formula: sketch.letter, known: known(machine, at), at, energy, moved };
         // a weight on an arm is a potential of an angle, too: cosines make no spring
-        (!law.moved.is_empty() && !(energy && law.calls())).then_some(law)
+        (!(law.moved.is_empty() || energy && law.calls())).then_some(law)
     }
 
     fn calls(&self) -> bool {

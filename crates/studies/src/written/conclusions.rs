@@ -116,10 +116,7 @@ impl Conclusion {
                 if *stable { holds } else { fails }
             }
             Conclusion::Disturbed { verdict, .. } => ended(language.text(verdict)),
-            Conclusion::Number { label, symbol, value, unit } => {
-                let (label, value) = (words::capital(language.text(label)), report::number::with_unit(&number(*value), unit));
-                format!("{label}: {symbol}\u{a0}=\u{a0}{value}.")
-            }
+            Conclusion::Number { label, symbol, value, unit } => found(language.text(label), (symbol, &number(*value), unit)),
             Conclusion::Irregular { delta } => {
                 let delta = number(*delta);
                 language.pick(
@@ -142,6 +139,12 @@ impl Conclusion {
             ),
         }
     }
+}
+
+/// A number that a study found.
+fn found(label: &str, (symbol, value, unit): (&str, &str, &str)) -> String {
+    let value = report::number::with_unit(value, unit);
+    format!("{}: {symbol}\u{a0}=\u{a0}{value}.", words::capital(label))
 }
 
 /// A sentence, with its full stop.
