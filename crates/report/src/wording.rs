@@ -73,6 +73,7 @@ words::table! {
     Pace: "Speed", "Скорость";
     Instant: "Instant of the motion", "Момент движения";
     MovingHelp: "Space: play. Arrow keys: step, with Shift ten steps. Home, End.", "Пробел – пуск. Стрелки – шаг, с Shift – десять шагов. Home, End.";
+    Theme: "Dark or light page", "Тёмная или светлая страница";
     Omitted: "omitted", "опущено";
     Continuation: "continued", "продолжение";
     Continued: "the table is cut to the width of the terminal; all columns are in the files",

@@ -309,7 +309,9 @@ pub fn handed(path: &str, (key, model): (&Key, &Model)) -> Result<Handed, Failur
     let split: Vec<(String, Option<String>)> = heads.iter().map(|h| named(h)).collect();
     let columns: Vec<Option<usize>> =
         model.answers.iter().map(|a| split.iter().position(|(n, _)| n.to_lowercase() == a.id.to_lowercase())).collect();
-    if columns.iter().all(Option::is_none) {
+    // some columns that are no questions are a teacher's own; with questions that nobody answers they are another task
+    let missing = columns.iter().any(Option::is_none);
+    if columns.iter().all(Option::is_none) || missing && !foreign(&split, &columns, [student, variant]).is_empty() {
         return Err(another(path, &heads.join(", ")));
     }
     let mut handed = Handed { rows: Vec::new(), remarks: strangers(&split, &columns, [student, variant]) };
@@ -344,12 +346,17 @@ fn named(head: &str) -> (String, Option<String>) {
     }
 }
 
-/// Columns that nobody asked for, and questions without a column.
-fn strangers(heads: &[(String, Option<String>)], columns: &[Option<usize>], known: [Option<usize>; 2]) -> Vec<Text> {
-    let foreign: Vec<&str> = (0..heads.len())
+/// Columns that are neither questions nor known.
+fn foreign<'h>(heads: &'h [(String, Option<String>)], columns: &[Option<usize>], known: [Option<usize>; 2]) -> Vec<&'h str> {
+    (0..heads.len())
         .filter(|i| !columns.contains(&Some(*i)) && !known.contains(&Some(*i)) && !heads[*i].0.is_empty())
         .map(|i| heads[i].0.as_str())
-        .collect();
+        .collect()
+}
+
+/// What is said of columns that nobody asked for.
+fn strangers(heads: &[(String, Option<String>)], columns: &[Option<usize>], known: [Option<usize>; 2]) -> Vec<Text> {
+    let foreign = foreign(heads, columns, known);
     let list = foreign.join(", ");
     let one = || {
         Text::new(format!("columns that are no questions of the key: {list}"), format!("столбцы, которых нет среди вопросов ключа: {list}"))

@@ -12,12 +12,13 @@ mod walk;
 use super::{Found, Given, Interrupts, Results, Rows, Study, agreed, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
+use crate::results::Conclusion;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Choice, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
 use mechanics::units::Dimension;
 use words::explain::{Explanation, plain};
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
 
 /// The study.
 pub struct SlowBalance;
@@ -171,6 +172,11 @@ impl Study for SlowBalance {
     }
     fn wanted(&self) -> Words {
         ("average the machine over its fast turn", "осреднить движение машины за быстрый оборот")
+    }
+    /// The speeds at which the moments balance, and where they jump.
+    fn concludes(&self, _: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        let told = |f: &&crate::results::Fact| ["speed_", "fold_"].iter().any(|start| f.quantity.name.starts_with(start));
+        results.facts.iter().filter(told).map(|f| crate::results::found(f, language)).collect()
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let mut results = Results {

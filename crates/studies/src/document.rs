@@ -8,7 +8,7 @@ use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Audit;
 use report::document::{Content, Formula, Inline, Rich};
-use report::formula::{Layout, Printer};
+use report::formula::{Layout, Printer, Sign};
 use report::table::{Column, Verdict};
 use report::{Block, Cell, Document, Download, Table, Word};
 use symbolic::connections::{Law, Reaction};
@@ -19,8 +19,8 @@ use words::Language;
 const DIGITS: usize = 4;
 
 /// The document of a calculation.
-pub fn compose(calculation: &Calculation, extent: Extent, language: Language) -> Document {
-    let writer = Writer { calculation, equations: &calculation.machine.equations, extent, language };
+pub fn compose(calculation: &Calculation, (extent, language): (Extent, Language), setting: &Setting) -> Document {
+    let writer = Writer { calculation, equations: &calculation.machine.equations, extent, language, setting };
     let sections = &calculation.machine.model.sections;
     // sections alone have no motion
     let machine = sections.is_empty() || !writer.equations.coordinates.is_empty();
@@ -56,11 +56,20 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
     }
 }
 
+/// How formulas of a page are set.
+pub struct Setting<'a> {
+    /// Expressions with the signs that all motions keep.
+    pub signs: Vec<(Expr, Sign)>,
+    /// A formula of the derivation, with the indices of its bodies and springs.
+    pub step: &'a dyn Fn(&symbolic::equations::StepFormula) -> Layout,
+}
+
 struct Writer<'a> {
     calculation: &'a Calculation,
     equations: &'a Equations,
     extent: Extent,
     language: Language,
+    setting: &'a Setting<'a>,
 }
 
 impl Writer<'_> {
@@ -83,7 +92,12 @@ impl Writer<'_> {
             // the number of the equation stands behind it
             Extent::Terminal { width } => width.saturating_sub(8),
         };
-        Printer::of(self.equations, self.language).with_width(width)
+        let printer = Printer::of(self.equations, self.language).with_width(width);
+        match self.extent {
+            // a page knows the signs that the motions keep, as the written calculation does
+            Extent::Page => printer.with_signs(self.setting.signs.clone()),
+            Extent::Terminal { .. } => printer,
+        }
     }
 
     fn coordinates(&self) -> Vec<Block> {
@@ -215,7 +229,22 @@ impl Writer<'_> {
         if self.equations.steps.is_empty() || self.equations.coordinates.is_empty() {
             return Vec::new();
         }
-        vec![Block::Details { summary: self.word(Word::Derivation).into(), blocks: steps(self.equations, &self.printer(), self.language) }]
+        vec![Block::Details { summary: self.word(Word::Derivation).into(), blocks: self.steps() }]
+    }
+
+    /// The derivation step by step; bodies and springs have the indices of the written calculation.
+    fn steps(&self) -> Vec<Block> {
+        let (printer, step) = (self.printer(), self.setting.step);
+        let mut blocks = Vec::new();
+        for part in &self.equations.steps {
+            blocks.push(Block::heading(3, self.language.text(&part.title)));
+            let words = self.language.text(&part.words);
+            if !words.is_empty() {
+                blocks.push(Block::paragraph(words));
+            }
+            blocks.extend(part.formulas.iter().map(|formula| unnumbered(&printer, step(formula))));
+        }
+        blocks
     }
 
     fn parameters(&self) -> Vec<Block> {
@@ -383,22 +412,6 @@ pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>>
 
 fn unnumbered(printer: &Printer, layout: Layout) -> Block {
     Block::Equation { formula: printer.block(layout), numbered: false }
-}
-
-/// The written derivation as blocks.
-pub fn steps(equations: &Equations, printer: &Printer, language: Language) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    for step in &equations.steps {
-        blocks.push(Block::heading(3, language.text(&step.title)));
-        let words = language.text(&step.words);
-        if !words.is_empty() {
-            blocks.push(Block::paragraph(words));
-        }
-        for formula in &step.formulas {
-            blocks.push(unnumbered(printer, printer.step(&equations.graph, formula)));
-        }
-    }
-    blocks
 }
 
 /// Energies of the machine, named.

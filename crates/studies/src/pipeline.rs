@@ -69,7 +69,11 @@ pub fn study(machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Option<
 
 /// The page of a calculation.
 pub fn document(calculation: &Calculation, extent: Extent, language: Language) -> Document {
-    document::compose(calculation, extent, language)
+    // a page is set as the written calculation is
+    let step = written::steps(calculation, language);
+    let signs = if extent == Extent::Page { written::signs(calculation) } else { Vec::new() };
+    let setting = document::Setting { signs, step: &step };
+    document::compose(calculation, (extent, language), &setting)
 }
 
 /// The written calculation that is handed in.

@@ -114,13 +114,15 @@ pub const TABLE: &[Shown] = &[
     Shown::new("forces", Role::Force, &["force"]).along("force").letter("F").called(("force", "сила")),
     Shown::new("torques", Role::Moment, &["moment", "moment_negative"]).letter("M").called(("moment", "момент")),
     Shown::new("distributed", Role::Force, &["distributed"]).letter("q").called(("distributed load", "распределённая нагрузка")),
-    Shown::new("potentials", Role::Energy, &["field"]).letter("Π").called(("potential", "потенциальная сила")),
-    Shown::new("dissipations", Role::Dissipation, &["field", "damper"]).letter("Φ").called(("damping", "сопротивление")),
+    Shown::new("potentials", Role::Energy, &["field", "spring", "torsion_spring"]).letter("Π").called(("potential", "потенциальная сила")),
+    Shown::new("dissipations", Role::Dissipation, &["field", "damper", "torsion_damper", "force"])
+        .letter("Φ")
+        .called(("damping", "сопротивление")),
     Shown::new("pins", Role::Joint, &["pin", "pin_fixed"]),
     Shown::new("welds", Role::Weld, &["weld", "clamp"]),
     Shown::new("sliders", Role::Joint, &["slider", "guides"]),
     Shown::new("slots", Role::Slot, &["slot", "slider"]),
-    Shown::new("rods", Role::Joint, &["rod", "link"]),
+    Shown::new("rods", Role::Joint, &["rod", "link", "rigid"]),
     Shown::new("ropes", Role::Thread, &["thread", "drum", "pulley", "ring_eye"]).letter("S").assumed(TAUT),
     Shown::new("threads", Role::Thread, &["thread", "drum", "pulley", "ring_eye"]).letter("S").assumed(TAUT),
     Shown::new("belts", Role::Belt, &["belt", "belt_crossed", "pulley"])

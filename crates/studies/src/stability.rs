@@ -18,13 +18,17 @@ use super::keys::{PERIOD, SECTION, SETTLE, TOLERANCE, TURNS, backwards, half_a_r
 use super::{Finds, Found, Given, Interrupts, Repeats, Results, Study, agreed, idle, overlaid, turns_of_an_angle};
 use crate::Failure;
 use crate::machine::{self, Machine};
+use crate::results::Conclusion;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use asked::Stability;
 use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way, Words};
 use mechanics::units::Dimension;
-use words::Text;
 use words::explain::{Explanation, plain};
+use words::{Language, Text};
+
+/// Sentences of a verdict that a calculation repeats at its end: what becomes of disturbances, and why.
+const TOLD: usize = 2;
 
 /// The study.
 pub struct Disturbances;
@@ -153,6 +157,18 @@ impl Study for Disturbances {
     }
     fn wanted(&self) -> Words {
         ("find whether small disturbances grow", "исследовать устойчивость по отношению к малым возмущениям")
+    }
+    fn concludes(&self, _: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        let stable = match results.own.get("verdict").and_then(serde_json::Value::as_str) {
+            Some("stable") => Some(true),
+            Some("unstable") => Some(false),
+            _ => None,
+        };
+        let growth = results.facts.iter().find(|f| f.quantity.name == "growth").map(|f| f.value);
+        let told = results.words.iter().take(TOLD).map(|verdict| Conclusion::Disturbed { stable, growth, verdict: verdict.clone() });
+        // along a parameter the boundaries are what was found
+        let bounds = results.facts.iter().filter(|f| f.quantity.name.starts_with("boundary")).map(|f| crate::results::found(f, language));
+        told.chain(bounds).collect()
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let mut results = Results { kind: KIND.name, heading: Text::new("Stability", "Устойчивость"), ..Results::default() };

@@ -12,8 +12,8 @@ use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, ag
 use crate::failure::{Failure, Misuse};
 use crate::machine::{self, Machine};
 use crate::repeat::regimes;
-use crate::results::Fact;
 use crate::results::finite::checked;
+use crate::results::{Conclusion, Fact};
 use crate::watch::{Lap, Watch};
 use crate::{provenance, repeat};
 use analysis::studies::threshold::{Side, changes, close, scan, unit};
@@ -22,7 +22,7 @@ use digits::WITHIN;
 use follow::{Follow, Judge};
 use mechanics::asked::{Asked, Key, Kind, Objection, Takes, Way, Words};
 use words::explain::{Explanation, plain};
-use words::{Notice, Text};
+use words::{Language, Notice, Text};
 
 /// Digits without a word of the user.
 const DIGITS: usize = 6;
@@ -119,6 +119,9 @@ impl Study for Change {
     }
     fn wanted(&self) -> Words {
         ("find where the regime changes", "найти границу смены режима")
+    }
+    fn concludes(&self, _: &Machine, results: &Results, language: Language) -> Vec<Conclusion> {
+        results.facts.iter().find(|f| f.quantity.name == "value").map(|f| crate::results::found(f, language)).into_iter().collect()
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let mut results = Results {

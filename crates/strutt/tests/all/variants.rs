@@ -245,7 +245,10 @@ fn a_key_of_another_model_and_a_changed_one_are_refused() {
     std::fs::write(here.join("foreign.csv"), "student;alpha;beta\nИванова Анна;1;2\n").unwrap();
     std::fs::write(here.join("hash.csv"), "# strutt 0.1.0, model 0123456789abcdef\nstudent;k\nИванова Анна;1\n").unwrap();
     std::fs::write(here.join("nobody.csv"), "k;T\n1;2\n").unwrap();
-    for (file, code) in [("foreign.csv", "C071"), ("hash.csv", "C071"), ("nobody.csv", "C072"), ("none.csv", "C001")] {
+    std::fs::write(here.join("partly.csv"), "student;k;beta\nИванова Анна;1;2\n").unwrap();
+    for (file, code) in
+        [("foreign.csv", "C071"), ("partly.csv", "C071"), ("hash.csv", "C071"), ("nobody.csv", "C072"), ("none.csv", "C001")]
+    {
         strutt().current_dir(&here).args(["variants", "grade", "out", file]).assert().failure().stderr(contains(code));
     }
     let changed = std::fs::read_to_string(here.join("out/key.json")).unwrap().replace("4 N s/m", "5 N s/m");

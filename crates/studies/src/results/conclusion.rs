@@ -28,6 +28,10 @@ pub enum Conclusion {
     Antiresonance { label: Text, omega: f64, exact: bool },
     /// A periodic regime with its period and the largest size of the multipliers that are not that of the shift along it.
     Regime { period: f64, stable: bool },
+    /// What becomes of small disturbances, with the greatest growth, 1/s, and the verdict in words.
+    Disturbed { stable: Option<bool>, growth: Option<f64>, verdict: Text },
+    /// A number that a study found, with what it is.
+    Number { label: Text, symbol: String, value: f64, unit: String },
     /// (ω_max − ω_min)/ω_mean.
     Irregular { delta: f64 },
     /// What a cycle needs: names, values with units as they are shown; for a wanted irregularity where there is one.
@@ -55,12 +59,29 @@ pub fn greatest(equations: &Equations, (data, plots): (&Dataset, &[Plot]), langu
         let column = &data.columns[e.column];
         let (value, t) = if e.max.abs() >= e.min.abs() { (e.max, e.t_max) } else { (e.min, e.t_min) };
         let scale = super::tables::scale(&column.quantity, value.abs());
-        let label = column.quantity.label.clone();
+        let label = distinct(equations, &column.quantity, language);
         let shown = (value / scale.size, scale.print(language));
         let beside = column.values.iter().chain([&e.min, &e.max]).copied().collect();
         (!label.en.is_empty()).then_some(Conclusion::Greatest { label, shown, t, beside, value })
     };
     extremes.into_iter().filter_map(one).take(MOST).collect()
+}
+
+/// The label of a quantity; with its symbol where another one has the same label, as components of one reaction have.
+fn distinct(equations: &Equations, quantity: &analysis::Quantity, language: Language) -> Text {
+    let label = &quantity.label;
+    let alike = equations.outputs.iter().filter(|o| o.name != quantity.name).any(|o| o.label.en == label.en || o.label.ru == label.ru);
+    if !alike || label.en.is_empty() {
+        return label.clone();
+    }
+    let symbol = report::symbol::plain(&quantity.symbol, language);
+    Text::new(format!("{}, {symbol}", label.en), format!("{}, {symbol}", label.ru))
+}
+
+/// A number that a study found, to be told at the end.
+pub fn found(fact: &super::Fact, language: Language) -> Conclusion {
+    let (symbol, value, unit) = shown(&fact.quantity, fact.value, language);
+    Conclusion::Number { label: fact.quantity.label.clone(), symbol, value, unit }
 }
 
 /// Symbol, value and unit of a number as they are shown.

@@ -13,7 +13,7 @@ pub use facts::Fact;
 pub use view::{Extent, View};
 
 use analysis::Dataset;
-pub use conclusion::{Conclusion, greatest, shown};
+pub use conclusion::{Conclusion, found, greatest, shown};
 use mechanics::model::Plot;
 use report::figure::Pen;
 use report::{Block, Figure, Table, Word};

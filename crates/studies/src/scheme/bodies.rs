@@ -17,7 +17,7 @@ impl Sketch<'_> {
         for i in order {
             match self.blocks[i] {
                 Some(_) => self.block(i),
-                None if self.groups.all[i].turns => self.link(i),
+                None if self.groups.all[i].turns || self.is_bar(i) => self.link(i),
                 None => self.mover(i),
             }
         }
@@ -266,6 +266,7 @@ impl Sketch<'_> {
             (true, false, false) if on_ground => {
                 self.floor(group, 0.0);
                 self.put("block", &path, place);
+                self.rough(group);
             }
             _ => self.put("block", &path, place),
         }

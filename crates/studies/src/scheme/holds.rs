@@ -2,6 +2,8 @@
 
 use super::ends::Ends;
 use super::groups::Joint;
+use super::numbers::STILL;
+use super::pinned::Pin;
 use super::sketch::{Act, Sketch};
 use crate::connections::{Held, Layer, Rolls, Support};
 use crate::shown::{Role, role, role_at};
@@ -28,6 +30,35 @@ impl Sketch<'_> {
             }
             self.hinge(at, &path, on_ground.then_some(()));
         }
+        for pin in self.pins.clone() {
+            self.hinge_of_formulas(&pin);
+        }
+    }
+
+    /// A hinge that follows from formulas: on the ground, on the other body, or on a slider that moves in a given way.
+    fn hinge_of_formulas(&mut self, pin: &Pin) {
+        let [a, b] = pin.groups;
+        let at = self.stage.at(b, pin.at);
+        let path = self.groups.all[b].path.clone();
+        self.rides = Rides::on(if pin.driven.is_some() { b } else { a });
+        let Some(turn) = pin.driven.and_then(|way| self.stage.turn(way)) else {
+            return self.hinge(at, &path, (a == 0).then_some(()));
+        };
+        if self.hinges.iter().any(|p| distance(*p, at) < 4.0) {
+            return;
+        }
+        let turn = if turn.sin() < -STILL || turn.cos() < -0.5 { turn + PI } else { turn };
+        let [back, forth] = self.swept_at(b, turn);
+        let (from, to) = (polar(at, back - 1.5 * S, turn), polar(at, forth + 1.5 * S, turn));
+        self.put("guides", "ground", Place { at: from, to, other: 0.42 * S, ..Place::default() });
+        self.rides = Rides::along(b);
+        self.put("slider", "ground", Place { at, turn, ..Place::default() });
+        if let Some(slider) = self.scheme.items.last_mut() {
+            slider.rides = Rides::along(b);
+        }
+        let tail = polar(polar(at, 1.3 * S, turn - FRAC_PI_2), -1.1 * S, turn);
+        self.put("motion", "frames", Place { at: tail, to: polar(tail, 2.2 * S, turn), ..Place::default() });
+        self.hinge(at, &path, None);
     }
 
     /// The axes of a frame.
@@ -79,7 +110,7 @@ impl Sketch<'_> {
             let place = &item.place;
             let near = |p: P| distance(p, at) < 4.0;
             let ways: Vec<P> = match item.symbol.name {
-                "link" | "rod" | "spring" | "damper" => vec![place.at, place.to],
+                "link" | "rigid" | "rod" | "spring" | "damper" => vec![place.at, place.to],
                 "thread" => place.path.clone(),
                 "plate" => {
                     if place.path.iter().any(|p| near(*p)) {
@@ -247,7 +278,12 @@ impl Sketch<'_> {
         let [back, forth] = self.swept_at(group, block.turn);
         let (from, to) = (polar(low, back - half, block.turn), polar(low, forth + half, block.turn));
         self.put("wall", "ground", Place { at: from, to, ..Place::default() });
-        if gap == 0.0 {
+    }
+
+    /// Rough teeth below a block on which dry friction acts: drawn after the block, which would hide them.
+    pub(super) fn rough(&mut self, group: usize) {
+        if let Some(block) = self.blocks[group] {
+            let low = polar(block.center, -block.half[1], block.turn + FRAC_PI_2);
             let (from, to) = (polar(low, -block.half[0], block.turn), polar(low, block.half[0], block.turn));
             let rubbing = self
                 .acts

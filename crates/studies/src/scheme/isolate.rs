@@ -1,11 +1,14 @@
 //! A body alone: what holds it is cut, and the forces that act there instead stand at its places with the letters of the equations.
 //!
+//! A massless axle of which nothing is drawn is one body with the wheel on it: forces act on what is seen. Each force is drawn once.
+//!
 //! Arrows point in the positive direction of their letters: a reaction acts on the second of two partners as it is written, and opposite on the first; springs, rods
 //! and ropes pull.
 
 use super::ends::Ends;
 use super::groups::Joint;
-use super::numbers::V3;
+use super::laws::resists;
+use super::numbers::{STILL, V3};
 use super::sketch::{Act, Sketch};
 use crate::connections::{self, Guide, Held, Knife, Own, Pair, Rolls, Rope, Support};
 use crate::shown::{Role, role};
@@ -19,28 +22,46 @@ const ARROW: f64 = 2.0 * S;
 
 /// Leaves of a sketch with all bodies the one that the frame belongs to, and adds what acts on it.
 pub(super) fn isolate(sketch: &mut Sketch, body: FrameId) {
-    let group = sketch.groups.of(body);
+    let own = sketch.groups.of(body);
+    let (group, axle) = match (sketch.wheel_on(own), sketch.axle_of(own)) {
+        (Some(wheel), _) => (wheel, Some(own)),
+        (None, axle) => (own, axle),
+    };
     let path = sketch.groups.all[group].path.clone();
     sketch.scheme.items.retain(|item| item.path == path);
-    let mut cut = Cut { sketch, group, taken: Vec::new() };
+    let mut cut = Cut { sketch, group, axle, taken: Vec::new() };
+    // what is given comes first, then the weight; reactions that lie on their lines make room
+    cut.loads();
+    cut.weight();
     cut.connections();
     cut.joints();
     cut.acts();
-    cut.loads();
-    cut.weight();
+    let (weights, others): (Vec<_>, Vec<_>) =
+        std::mem::take(&mut cut.sketch.scheme.items).into_iter().partition(|item| item.path == "gravity");
+    cut.sketch.scheme.items = [others, weights].concat();
     cut.axes();
 }
 
 struct Cut<'s, 'm> {
     sketch: &'s mut Sketch<'m>,
     group: usize,
+    /// A massless axle that is one body with the group.
+    axle: Option<usize>,
     /// Places whose reactions are drawn.
     taken: Vec<P>,
 }
 
 impl Cut<'_, '_> {
     fn is_mine(&self, point: PointRef) -> bool {
-        self.sketch.group_of(point) == self.group
+        self.has(self.sketch.group_of(point))
+    }
+
+    fn has(&self, group: usize) -> bool {
+        group == self.group || self.axle == Some(group)
+    }
+
+    fn holds(&self, frame: FrameId) -> bool {
+        self.has(self.sketch.groups.of(frame))
     }
 
     /// The letter of a component, as in the equations; another one where the equations do not need it.
@@ -66,15 +87,16 @@ impl Cut<'_, '_> {
         self.sketch.note(letter, tip, 5.0, Some(turn + 0.8));
     }
 
-    /// A place for an arrow where no other one of its direction lies: arrows of one place stand beside one another.
+    /// A place for an arrow where no other one lies: arrows of one place stand beside one another; one that would lie on another of the same line
+    /// ends where it acts instead of beginning there.
     fn beside(&self, (at, turn): (P, f64)) -> P {
         let drawn = |i: &&report::scheme::Item| matches!(i.symbol.name, "reaction" | "force");
-        let alike =
-            |i: &&report::scheme::Item| (direction(i.place.at, i.place.to) - turn).cos() > 0.97 && distance(i.place.at, at) < 3.0 * S;
-        let others: Vec<P> = self.sketch.scheme.items.iter().filter(drawn).filter(alike).map(|i| i.place.at).collect();
+        let alike = |i: &&report::scheme::Item| (direction(i.place.at, i.place.to) - turn).cos().abs() > 0.97;
+        let others: Vec<[P; 2]> = self.sketch.scheme.items.iter().filter(drawn).filter(alike).map(|i| [i.place.at, i.place.to]).collect();
+        let free = |p: &P| others.iter().all(|o| off(*p, turn, o[0]) > 0.5 * S || !overlap((*p, turn), *o));
         let side = |k: f64| polar(at, 0.75 * S * k, turn - FRAC_PI_2);
-        let free = |p: &P| others.iter().all(|o| off(*p, turn, *o) > 0.5 * S);
-        [0.0, 1.0, -1.0, 2.0, -2.0, 3.0].into_iter().map(side).find(free).unwrap_or(at)
+        let ways = [at, polar(at, -ARROW, turn)].into_iter().chain([1.0, -1.0, 2.0, -2.0, 3.0].map(side));
+        ways.into_iter().find(free).unwrap_or(at)
     }
 
     fn bow(&mut self, path: &str, (at, sense): (P, f64), letter: LabelText) {
@@ -114,37 +136,70 @@ impl Cut<'_, '_> {
     fn joints(&mut self) {
         let own = self.sketch.groups.all[self.group].clone();
         for (i, group) in self.sketch.groups.all.clone().iter().enumerate().skip(1) {
-            let sign = if i == self.group { 1.0 } else { -1.0 };
-            if group.joint != Joint::Turns || (i != self.group && group.carrier != self.group) {
+            let sides = (self.has(i), self.has(group.carrier));
+            if group.joint != Joint::Turns || sides.0 == sides.1 {
                 continue;
             }
             let at = self.sketch.origin(group.root);
             if self.taken.iter().any(|p| distance(*p, at) < 4.0) {
                 continue;
             }
-            let name = self.name_at(at);
-            self.components((&own.path, &name), at, (FrameId::GROUND, sign));
+            let name = self.name_at(at, i);
+            self.components((&own.path, &name), at, (FrameId::GROUND, if sides.0 { 1.0 } else { -1.0 }));
         }
-        if let (Joint::Slides(way), true) = (own.joint, self.is_pressed()) {
-            let Some(turn) = self.sketch.stage.turn(way) else { return };
-            let at = self.sketch.middle(self.group);
-            self.arrow(&own.path, (at, turn + FRAC_PI_2), LabelText::Symbol("N".into()));
+        self.pressed();
+    }
+
+    /// The reaction of what the coordinates hide: guides, a floor, an incline.
+    fn pressed(&mut self) {
+        let own = self.sketch.groups.all[self.group].clone();
+        let Joint::Slides(way) = own.joint else { return };
+        let Some(turn) = self.sketch.stage.turn(way).filter(|_| !self.is_carried_otherwise()) else { return };
+        let letter = self.sketch.letters.free(&format!("N_{}", self.sketch.number_of(self.group)));
+        let middle = self.sketch.middle(self.group);
+        if self.is_led() {
+            self.arrow(&own.path, (middle, turn + FRAC_PI_2), letter);
+        } else if let Some(down) = self.weighs_across(turn) {
+            let foot = self.sketch.blocks[self.group].map_or(0.0, |b| b.half[1]);
+            self.arrow(&own.path, (polar(middle, foot, down), down + PI), letter);
         }
     }
 
-    /// Whether something that the coordinates hide holds a body across its way: nothing of the file does, and something presses it there.
-    fn is_pressed(&self) -> bool {
+    /// Whether something of the file holds a body across its way: itself, or wheels on it that roll.
+    fn is_carried_otherwise(&self) -> bool {
         let sketch = &*self.sketch;
-        let held = sketch.is_gripped(self.group, &[Held::Supported, Held::Slides]);
-        let carries = sketch.groups.all.iter().any(|g| g.carrier == self.group && g.joint == Joint::Turns);
-        !held && (sketch.is_guided(self.group) || carries)
+        let rolls = |g: usize| (1..sketch.groups.all.len()).any(|i| sketch.groups.all[i].carrier == g && sketch.rolls(i));
+        sketch.is_gripped(self.group, &[Held::Supported, Held::Slides]) || rolls(self.group)
     }
 
-    /// The point of the file that is there.
-    fn name_at(&self, at: P) -> String {
+    /// Whether guides lead it, or links that are hinged to it press it against its way.
+    fn is_led(&self) -> bool {
+        let sketch = &*self.sketch;
+        sketch.is_guided(self.group) || sketch.groups.all.iter().any(|g| g.carrier == self.group && g.joint == Joint::Turns)
+    }
+
+    /// The direction across its way in which its weight presses a body; none where it has no weight there.
+    fn weighs_across(&self, turn: f64) -> Option<f64> {
+        let model = &self.sketch.machine.model;
+        let heavy = |f: &FrameId| model.frames[f.index()].mass.as_ref().is_some_and(|m| m.gravity && !model.graph.is_zero(m.mass));
+        self.sketch.groups.all[self.group].frames.iter().find(|f| heavy(f))?;
+        let weight = self.sketch.stage.turn(model.gravity?.map(|e| self.sketch.numbers.value(self.sketch.machine, e)))?;
+        let across = (weight - turn).sin();
+        (across.abs() > STILL).then_some(turn + if across > 0.0 { FRAC_PI_2 } else { -FRAC_PI_2 })
+    }
+
+    /// The point of the file that is there; where several hinges have none, O with the number of the body that turns about it.
+    fn name_at(&self, at: P, group: usize) -> String {
         let spots = self.sketch.looks.iter().enumerate().flat_map(|(i, look)| look.spots.iter().map(move |s| (i, s)));
         let mut here = spots.filter(|(i, s)| distance(self.sketch.stage.at(*i, s.at), at) < 4.0).filter_map(|(_, s)| s.name.clone());
-        here.next().unwrap_or_else(|| "O".to_owned())
+        let bare = |i: &usize| {
+            let g = &self.sketch.groups.all[*i];
+            let at = self.sketch.numbers.frames[0][g.root.index()].origin;
+            let named = |s: &super::looks::Spot| s.name.is_some() && super::numbers::norm(super::numbers::minus(s.at, at)) < STILL;
+            g.joint == Joint::Turns && !self.sketch.looks.iter().flat_map(|l| &l.spots).any(named)
+        };
+        let alone = (1..self.sketch.groups.all.len()).filter(bare).count() < 2;
+        here.next().unwrap_or_else(|| if alone { "O".to_owned() } else { format!("O{}", self.sketch.number_of(group)) })
     }
 
     /// Springs, dampers, stops, frictions, motors, forces on pathways.
@@ -162,7 +217,7 @@ impl Cut<'_, '_> {
                     let letter = self.force_of(&act);
                     self.arrow(&act.path, (at, turn), letter);
                 }
-                Ends::Along { on, from, direction: way, .. } => {
+                Ends::Along { on, from, direction: way, arm, .. } => {
                     let (point, sign) = match (self.is_mine(on), from.filter(|f| self.is_mine(*f))) {
                         (true, None) => (on, 1.0),
                         (false, Some(from)) => (from, -1.0),
@@ -171,12 +226,15 @@ impl Cut<'_, '_> {
                     let Some(turn) = self.sketch.stage.turn(way.map(|c| c * sign * if self.grows(&act) { 1.0 } else { -1.0 })) else {
                         continue;
                     };
-                    let at = self.sketch.grip(point, turn);
+                    let at = match arm.filter(|_| sign > 0.0) {
+                        Some(arm) => self.sketch.stage.at(self.group, arm),
+                        None => self.sketch.grip(point, turn),
+                    };
                     let letter = self.force_of(&act);
                     self.arrow(&act.path, (at, turn), letter);
                 }
                 Ends::Turn { on, from, sense } => {
-                    let sign = match (self.sketch.groups.of(on) == self.group, self.sketch.groups.of(from) == self.group) {
+                    let sign = match (self.holds(on), self.holds(from)) {
                         (true, false) => 1.0,
                         (false, true) => -1.0,
                         _ => continue,
@@ -203,8 +261,8 @@ impl Cut<'_, '_> {
     fn force_of(&self, act: &Act) -> LabelText {
         let base = if matches!(act.ends, Ends::Turn { .. }) { "M" } else { "F" };
         match (role(act.table), self.sketch.letter(act)) {
-            (Role::Spring | Role::Damper, LabelText::Symbol(letter)) => LabelText::Symbol(format!("{base}_{}", letter.replace('_', ""))),
-            (Role::Spring | Role::Damper, _) => LabelText::Symbol(base.to_owned()),
+            (role, LabelText::Symbol(letter)) if resists(role) => LabelText::Symbol(format!("{base}_{}", letter.replace('_', ""))),
+            (role, _) if resists(role) => LabelText::Symbol(base.to_owned()),
             (Role::Stop | Role::Friction | Role::Motion, _) => {
                 let name = act.path.rsplit('.').next().unwrap_or_default();
                 self.letter("force", name, base)
@@ -218,14 +276,28 @@ impl Cut<'_, '_> {
         for element in &machine.model.elements {
             match element.law.sketch().site {
                 Site::At { at, value, axes } if self.is_mine(at) => self.sketch.force(&element.path, (at, axes), value),
-                Site::Turns { on, value, .. } if self.sketch.groups.of(on) == self.group => self.sketch.moment(&element.path, on, value),
-                Site::Turns { value, reaction: Some(on), .. } if self.sketch.groups.of(on) == self.group => {
+                Site::Turns { on, value, .. } if self.holds(on) => self.sketch.moment(&element.path, on, value),
+                Site::Turns { value, reaction: Some(on), .. } if self.holds(on) => {
                     let (sense, letter) = self.sketch.signed(value[2], &element.path);
                     let at = self.sketch.middle(self.group);
                     self.bow(&element.path, (at, -sense), letter);
                 }
+                Site::Dissipation => self.dragged(element),
                 _ => {}
             }
+        }
+    }
+
+    /// The resistance of a medium, where one acts on this body.
+    fn dragged(&mut self, element: &mechanics::model::Element) {
+        let sketch = &*self.sketch;
+        // a damper is an act already
+        if sketch.acts.iter().any(|act| act.path == element.path) {
+            return;
+        }
+        let drag = super::laws::drag(sketch.machine, &sketch.groups, (element, sketch.at));
+        if let Some(drag) = drag.filter(|drag| self.is_mine(drag.on)) {
+            self.sketch.dragged(&element.path, drag);
         }
     }
 
@@ -290,7 +362,7 @@ impl Knife for Cut<'_, '_> {
     }
 
     fn guide(&mut self, own: &Own, guide: &Guide) {
-        let sign = match (self.is_mine(guide.point), self.sketch.groups.of(guide.on) == self.group) {
+        let sign = match (self.is_mine(guide.point), self.holds(guide.on)) {
             (true, false) => 1.0,
             (false, true) => -1.0,
             _ => return,
@@ -321,7 +393,7 @@ impl Knife for Cut<'_, '_> {
 
     /// A rope pulls at the rim of a drum, and at its points towards the next ones.
     fn rope(&mut self, own: &Own, rope: &Rope) {
-        let drums: Vec<&Wound> = rope.wound.iter().filter(|d| self.sketch.groups.of(d.on) == self.group).collect();
+        let drums: Vec<&Wound> = rope.wound.iter().filter(|d| self.holds(d.on)).collect();
         for drum in drums {
             let mut way: Vec<P> = rope.path.iter().map(|p| self.sketch.seen(*p)).collect();
             self.sketch.onto(&mut way, drum);
@@ -333,8 +405,12 @@ impl Knife for Cut<'_, '_> {
             let letter = self.letter("force", own.name, "S");
             self.arrow(&own.path, (rim, direction(rim, from)), letter);
         }
+        // an end that winds onto a drum pulls at its rim, and not at what carries the drum besides
+        let winds: Vec<PointRef> = rope.wound.iter().filter_map(|d| self.winding_end(rope, d)).collect();
         for pair in rope.path.windows(2) {
-            self.pull(own, [pair[0], pair[1]]);
+            if !pair.iter().any(|p| winds.contains(p) && self.is_mine(*p)) {
+                self.pull(own, [pair[0], pair[1]]);
+            }
         }
     }
 
@@ -343,7 +419,7 @@ impl Knife for Cut<'_, '_> {
     fn pair(&mut self, own: &Own, pair: &Pair) {
         let radii = pair.radii.map(|r| self.sketch.numbers.value(self.sketch.machine, r));
         let sense = if pair.opposite { 1.0 } else { -1.0 };
-        let mine = pair.between.map(|f| self.sketch.groups.of(f) == self.group);
+        let mine = pair.between.map(|f| self.holds(f));
         let Some(k) = (0..2).find(|k| mine[*k] && !mine[1 - *k]) else { return };
         let [this, other] = [pair.between[k], pair.between[1 - k]].map(|f| self.sketch.origin(f));
         let r = self.sketch.long(radii[k]);
@@ -359,7 +435,7 @@ impl Knife for Cut<'_, '_> {
 
     fn rolls(&mut self, own: &Own, rolls: &Rolls) {
         let Track::Line { direction: along, left, .. } = rolls.track else { return };
-        let sign = match (self.sketch.groups.of(rolls.wheel) == self.group, self.sketch.groups.of(rolls.on) == self.group) {
+        let sign = match (self.holds(rolls.wheel), self.holds(rolls.on)) {
             (true, false) => 1.0,
             (false, true) => -1.0,
             _ => return,
@@ -404,6 +480,27 @@ impl Knife for Cut<'_, '_> {
             self.arrow(&own.path, (place, turn), letter);
         }
     }
+}
+
+impl Cut<'_, '_> {
+    /// The end of a rope that winds onto a drum, where what carries the drum bears it.
+    fn winding_end(&self, rope: &Rope, drum: &Wound) -> Option<PointRef> {
+        let (first, last) = (*rope.path.first()?, *rope.path.last()?);
+        let center = self.sketch.origin(drum.on);
+        let near = |p: PointRef| distance(self.sketch.seen(p), center);
+        let end = if near(first) < near(last) { first } else { last };
+        let wheel = self.sketch.groups.of(drum.on);
+        let bearer = self.sketch.group_of(end);
+        (bearer != 0 && (bearer == wheel || bearer == self.sketch.groups.all[wheel].carrier)).then_some(end)
+    }
+}
+
+/// Whether an arrow from a place and one that lies on its line cover one another.
+fn overlap((from, turn): (P, f64), [a, b]: [P; 2]) -> bool {
+    let along = |p: P| (p[0] - from[0]) * turn.cos() - (p[1] - from[1]) * turn.sin();
+    let (low, high) = (along(a).min(along(b)), along(a).max(along(b)));
+    // arrows may begin at one point
+    low.max(0.0) + 1.0 < high.min(ARROW)
 }
 
 /// Distance of a point from a line.

@@ -58,10 +58,24 @@ impl Letters<'_> {
         parameters.next().is_none().then(|| self.named(&first.name))
     }
 
+    /// A letter for a force that the file does not name, other than all letters of the machine.
+    pub fn free(&self, wanted: &str) -> LabelText {
+        let equations = &self.machine.equations;
+        let shown = |name: &str| equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, shown)| shown).to_owned();
+        let outputs = equations.outputs.iter().map(|o| shown(&o.name));
+        let parameters = self.machine.model.parameters.iter().map(|p| shown(&p.name));
+        let taken: Vec<String> = outputs.chain(parameters).collect();
+        let mut letter = wanted.to_owned();
+        while taken.contains(&letter) {
+            letter.insert(1, '\'');
+        }
+        LabelText::Symbol(letter)
+    }
+
     /// The usual letter of an element without one of its own, from its place in the file; numbered where the file has several.
     pub fn load(&self, path: &str) -> LabelText {
         let (table, name) = path.split_once('.').unwrap_or(("", path));
-        if name.chars().filter(|c| c.is_alphabetic()).count() <= 3 {
+        if is_letter(name) {
             return self.named(name);
         }
         let letter = crate::shown::find(table).map_or("", |row| row.letter);
@@ -75,6 +89,13 @@ impl Letters<'_> {
             _ => LabelText::Symbol(letter.to_owned()),
         }
     }
+}
+
+/// Whether a name of the file can stand in a figure: a letter with its indices, a Greek one, not a word.
+fn is_letter(name: &str) -> bool {
+    let letters = name.chars().filter(|c| c.is_alphabetic()).count();
+    let greek = report::symbol::plain(name, Language::En) != name;
+    letters <= 3 && (greek || !crate::naming::is_word(name))
 }
 
 /// Whether a formula asks the machine for something: its placeholders are no letters.

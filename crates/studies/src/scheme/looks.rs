@@ -2,6 +2,7 @@
 
 use super::groups::{Groups, Joint, frame_of};
 use super::numbers::{ALIKE, Numbers, Pose, STILL, V3, dot, minus, norm, plus};
+use super::pinned::Pin;
 use crate::connections::{self, Own, Place};
 use crate::machine::Machine;
 use mechanics::model::{FrameId, Inertia, Origin, PointId, PointRef, Site, Solid};
@@ -92,13 +93,17 @@ impl Look {
 }
 
 /// What is seen of all groups.
-pub fn looks(machine: &Machine, numbers: &Numbers, groups: &Groups) -> Vec<Look> {
+pub fn looks(machine: &Machine, (numbers, groups): (&Numbers, &Groups), (pins, arms): (&[Pin], &[(usize, V3)])) -> Vec<Look> {
     let mut gatherer = Gatherer { machine, numbers, groups, looks: vec![Look::default(); groups.all.len()] };
     gatherer.joints();
     gatherer.bodies();
     gatherer.connections();
     gatherer.elements();
     gatherer.points();
+    for pin in pins {
+        pin.groups.into_iter().for_each(|g| gatherer.looks[g].spot(pin.at, Spotted::Held(None)));
+    }
+    arms.iter().for_each(|arm| gatherer.arm(*arm));
     gatherer.looks
 }
 
@@ -200,6 +205,15 @@ impl Gatherer<'_> {
                 Site::At { at: at @ (PointRef::Point(_) | PointRef::Origin(_)), .. } => self.hold(at),
                 _ => {}
             }
+        }
+    }
+
+    /// The end of a lever on which something acts, where no rim is there.
+    fn arm(&mut self, (group, at): (usize, V3)) {
+        let look = &mut self.looks[group];
+        let rim = |w: &Wheel| (norm(minus(at, w.center)) - w.radius).abs() < ALIKE * w.radius;
+        if !look.wheels.iter().any(rim) {
+            look.spot(at, Spotted::Held(None));
         }
     }
 

@@ -6,7 +6,8 @@
 //! | numbers of positions in some states near the place | `numbers.rs` |
 //! | frames that are one piece, their joints | `groups.rs` |
 //! | what is seen of each group | `looks.rs` |
-//! | what formulas of pathways measure | `ends.rs` |
+//! | what formulas of pathways measure; energies that are springs, dissipations that are dampers | `ends.rs`; `laws.rs` |
+//! | hinges that follow from formulas | `pinned.rs` |
 //! | metres to pixels | `stage.rs` |
 //! | symbols | `sketch.rs` and the files beside it; what connections have on a layer, `paper.rs` |
 //! | a motion: frames along it, tracks, which studies have one | `course.rs`, `moving.rs`, `played.rs` |
@@ -22,11 +23,13 @@ mod groups;
 mod holds;
 mod instants;
 mod isolate;
+mod laws;
 mod letters;
 mod looks;
 mod moving;
 mod numbers;
 mod paper;
+mod pinned;
 mod played;
 mod pulls;
 mod shafts;
@@ -88,6 +91,11 @@ fn no_body(name: &str, bodies: &[&str]) -> Notice {
         None => Text::new(format!("bodies: {}", bodies.join(", ")), format!("тела: {}", bodies.join(", "))),
     };
     notice
+}
+
+/// Whether a body is the massless axle of a wheel with which it is one body: the wheel's free-body diagram is its own.
+pub fn is_axle(machine: &Machine, body: FrameId) -> bool {
+    sketch::is_axle(machine, body)
 }
 
 /// The scheme; none where there is nothing to draw.

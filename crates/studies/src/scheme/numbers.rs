@@ -40,6 +40,8 @@ pub struct Numbers {
     /// Values of pathways by name of what they belong to, by state.
     pathways: BTreeMap<String, Vec<f64>>,
     values: BTreeMap<SymbolId, f64>,
+    /// Coordinates by state.
+    q: Vec<Vec<f64>>,
 }
 
 /// A place of the machine: coordinates, rates and time.
@@ -117,6 +119,7 @@ impl Numbers {
             centers: Vec::new(),
             pathways: names.iter().map(|n| (n.clone(), Vec::new())).collect(),
             values: states[0].clone(),
+            q: (0..states.len()).map(|s| moved(at, s)).collect(),
         };
         for state in &states {
             let values = places.graph().evaluate(&roots, &|s| state.get(&s).copied().unwrap_or(0.0));
@@ -167,10 +170,27 @@ impl Numbers {
         self.pathways.get(name).map(Vec::as_slice)
     }
 
+    /// A coordinate in all states.
+    pub fn coordinate(&self, i: usize) -> Vec<f64> {
+        self.q.iter().map(|q| q[i]).collect()
+    }
+
     /// The number of a formula of the model in the place that is drawn.
     pub fn value(&self, machine: &Machine, e: Expr) -> f64 {
         machine.model.graph.evaluate(&[e], &|s| self.values.get(&s).copied().unwrap_or(0.0))[0]
     }
+}
+
+/// The coordinates of a state.
+fn moved(at: &Instant, state: usize) -> Vec<f64> {
+    let (mut q, n) = (at.q.clone(), at.q.len());
+    match state {
+        0 => {}
+        k if k <= MIXED => q.iter_mut().enumerate().for_each(|(i, q)| *q += STEP * scattered(i, k)),
+        k if k <= MIXED + n => q[k - MIXED - 1] += STEP,
+        _ => {}
+    }
+    q
 }
 
 /// Values of symbols by state.
@@ -178,13 +198,7 @@ fn states(machine: &Machine, at: &Instant) -> Vec<BTreeMap<SymbolId, f64>> {
     let n = at.q.len();
     let mut out = Vec::new();
     for state in 0..1 + MIXED + n + 1 {
-        let mut q = at.q.clone();
-        match state {
-            0 => {}
-            k if k <= MIXED => q.iter_mut().enumerate().for_each(|(i, q)| *q += STEP * scattered(i, k)),
-            k if k <= MIXED + n => q[k - MIXED - 1] += STEP,
-            _ => {}
-        }
+        let q = moved(at, state);
         let t = if state == MIXED + n + 1 { at.t + 0.013 } else { at.t };
         let mut state = values(machine, (&q, &at.rates), t);
         for (auxiliary, turned) in machine.equations.auxiliaries.iter().zip(&at.turned) {

@@ -1,6 +1,7 @@
 //! What acts along pathways: springs, dampers, stops, frictions, motors and given motions; then loads.
 
 use super::ends::Ends;
+use super::laws::{Drag, resists};
 use super::numbers::{STILL, V3};
 use super::sketch::{Act, Carrier, Sketch};
 use super::ties::SMALL;
@@ -26,7 +27,7 @@ impl Sketch<'_> {
                     let side = self.rank(&acts, i);
                     self.tie(act, offset((a, b), side));
                 }
-                (Ends::Along { .. }, Role::Spring | Role::Damper) => self.along((i, act), self.rank(&acts, i)),
+                (Ends::Along { .. }, role) if resists(role) => self.along((i, act), self.rank(&acts, i)),
                 (Ends::Along { on, direction, driven, .. }, _) => self.push(act, (*on, *direction), *driven),
                 (Ends::Turn { on, from, sense, .. }, _) => self.turn(act, (*on, *from, *sense), self.rank_of_turn(&acts, i)),
                 (Ends::Unknown, _) => self.somewhere(act),
@@ -62,6 +63,9 @@ impl Sketch<'_> {
 
     pub(super) fn letter(&self, act: &Act) -> LabelText {
         let model = &self.machine.model;
+        if let Some(letter) = &act.letter {
+            return letter.clone();
+        }
         if let Some(element) = model.elements.get(act.index).filter(|e| e.path == act.path) {
             return self.letters.of(element.law.sketch().letter, &act.path);
         }
@@ -90,6 +94,8 @@ impl Sketch<'_> {
         let own = find(act.table).map_or("", |row| row.along);
         match own {
             _ if self.has_play(act) => "backlash",
+            "" if role(act.table) == Role::Energy => "spring",
+            "" if role(act.table) == Role::Dissipation => "damper",
             "" => "friction",
             own => own,
         }
@@ -121,10 +127,13 @@ impl Sketch<'_> {
 
     /// A spring or damper by a formula: from the place that moves to a wall behind it, or to the other place.
     fn along(&mut self, (index, act): (usize, &Act), side: f64) {
-        let Ends::Along { on, from, direction: way, driven } = act.ends else { return };
+        let Ends::Along { on, from, direction: way, driven, arm } = act.ends else { return };
         let Some(turn) = self.stage.turn(way) else { return self.somewhere(act) };
-        let side = side * 1.25 * S;
-        let near = polar(self.grip(on, turn + PI), side, turn + FRAC_PI_2);
+        // what hangs from the middle of a block has room between its springs
+        let apart = if self.hangs_from(self.group_of(on)) && turn.sin().abs() > 0.7 { 2.1 * S } else { 1.25 * S };
+        let side = side * apart;
+        let held = arm.map_or_else(|| self.grip(on, turn + PI), |at| self.stage.at(self.group_of(on), at));
+        let near = polar(held, side, turn + FRAC_PI_2);
         let far = match from {
             Some(from) => {
                 let end = polar(self.grip(from, turn), side, turn + FRAC_PI_2);
@@ -222,6 +231,9 @@ impl Sketch<'_> {
     pub(super) fn pivot(&self, on: FrameId, from: FrameId) -> P {
         let (a, b) = (self.groups.of(on), self.groups.of(from));
         let root = |g: usize| self.origin(self.groups.all[g].root);
+        if let Some(pin) = self.pin_of([a, b]) {
+            return pin;
+        }
         match () {
             () if self.groups.all[b].carrier == a && b != 0 => root(b),
             () if self.groups.all[a].carrier == b => root(a),
@@ -251,6 +263,8 @@ impl Sketch<'_> {
         let clear = wheel.max(0.75 * S);
         let symbol = match find(act.table).map_or("", |row| row.turning) {
             own if !own.is_empty() => own,
+            _ if role(act.table) == Role::Energy => "torsion_spring",
+            _ if role(act.table) == Role::Dissipation => "torsion_damper",
             _ if sense < 0.0 => "moment_negative",
             _ => "moment",
         };
@@ -305,10 +319,32 @@ impl Sketch<'_> {
                 Site::On(_) => {}
                 Site::At { at, value, axes } => self.force(&element.path, (at, axes), value),
                 Site::Turns { on, value, .. } => self.moment(&element.path, on, value),
-                Site::Energy | Site::Dissipation => self.by_formula(&element.path, sketch.letter),
+                Site::Energy | Site::Dissipation => self.of_formula(element),
             }
         }
         self.layer(Layer::Loads);
+    }
+
+    /// What an energy or a dissipation function stands for: a spring or damper is drawn already; the resistance of a medium is a force.
+    fn of_formula(&mut self, element: &mechanics::model::Element) {
+        if self.acts.iter().any(|act| act.path == element.path) {
+            return;
+        }
+        match super::laws::drag(self.machine, &self.groups, (element, self.at)) {
+            Some(drag) => self.dragged(&element.path, drag),
+            None => self.by_formula(&element.path, element.law.sketch().letter),
+        }
+    }
+
+    /// The resistance of a medium: against the motion of its place.
+    pub(super) fn dragged(&mut self, path: &str, drag: Drag) {
+        let Some(turn) = self.stage.turn(drag.against) else { return };
+        self.rides = Rides::along(self.group_of(drag.on));
+        let from = self.grip(drag.on, turn);
+        let tip = polar(from, 2.1 * S, turn);
+        self.put("force", path, Place { at: from, to: tip, ..Place::default() });
+        let LabelText::Symbol(letter) = drag.letter else { return };
+        self.note(LabelText::Formula(format!("{} v", report::symbol::plain(&letter, self.language))), tip, 6.0, Some(turn + 0.9));
     }
 
     pub(super) fn force(&mut self, path: &str, (at, axes): (PointRef, FrameId), value: [Expr; 3]) {

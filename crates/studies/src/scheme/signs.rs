@@ -127,14 +127,14 @@ impl Sketch<'_> {
         let names: Vec<String> = model.coordinates.iter().map(|c| c.name.clone()).collect();
         let mut taken = vec![0usize; self.groups.all.len()];
         for (j, name) in names.iter().enumerate() {
-            let Some(group) = self.moved_with(j) else { continue };
+            let Some(group) = self.turned_with(j).or_else(|| self.moved_with(j)) else { continue };
             let state = self.numbers.moved(j);
             let root = self.groups.all[group].root;
             let (a, b) = (self.numbers.frames[0][root.index()], self.numbers.frames[state][root.index()]);
             let way = minus(b.origin, a.origin);
             let path = format!("coordinates.{name}");
             let text = self.letters.named(name);
-            if norm(way) > STILL && self.groups.all[group].joint != Joint::Turns {
+            if norm(way) > STILL && self.groups.all[group].joint != Joint::Turns && self.pin_of([0, group]).is_none() {
                 let Some(turn) = self.stage.turn(way) else { continue };
                 let from = self.beside(group, turn, taken[group]);
                 taken[group] += 1;
@@ -146,6 +146,16 @@ impl Sketch<'_> {
                 self.angle((group, root), (j, by), (path, text));
             }
         }
+    }
+
+    /// The first group whose angle a coordinate is: what turns a multiple of it is told by its own wheels.
+    fn turned_with(&self, j: usize) -> Option<usize> {
+        let (values, state) = (self.numbers.coordinate(j), self.numbers.moved(j));
+        let by = values[state] - values[0];
+        let angle = |i: usize, s: usize| self.numbers.frames[s][self.groups.all[i].root.index()].angle();
+        let turned = |i: &usize| ((angle(*i, state) - angle(*i, 0) + PI).rem_euclid(TAU) - PI).abs();
+        let is_angle = self.machine.model.coordinates[j].units[0] == "rad";
+        (1..self.groups.all.len()).filter(|_| is_angle).find(|i| (turned(i) - by).abs() < STILL)
     }
 
     /// Where the arrow of a displacement begins: above or beside what is drawn.
@@ -161,7 +171,7 @@ impl Sketch<'_> {
 
     /// An angle of a body from the direction in which its coordinate is zero.
     fn angle(&mut self, (group, root): (usize, FrameId), (j, by): (usize, f64), (path, text): (String, LabelText)) {
-        let pivot = self.origin(root);
+        let pivot = self.pin_of([0, group]).unwrap_or_else(|| self.origin(root));
         let spots = self.looks[group].spots.iter().map(|s| s.at).chain(self.looks[group].centers.iter().map(|c| c.0));
         let spots: Vec<P> = spots.map(|p| self.stage.at(group, p)).collect();
         let far = spots.iter().copied().max_by(|a, b| distance(pivot, *a).total_cmp(&distance(pivot, *b))).unwrap_or(pivot);

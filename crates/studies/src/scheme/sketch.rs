@@ -8,9 +8,9 @@ use super::letters::Letters;
 use super::looks::{Look, looks};
 use super::numbers::{Instant, Numbers, Pose, STILL, V3, minus, norm, plus};
 use super::stage::Stage;
-use crate::connections::{self, Held, Layer, grips};
+use crate::connections::{self, Held, Layer, Own, grips};
 use crate::machine::Machine;
-use crate::shown::{Role, role};
+use crate::shown::role;
 use mechanics::model::{FrameId, Pathway, PointRef, Site};
 use report::Scheme;
 use report::scheme::{P, Place, Rides, S, direction};
@@ -83,15 +83,32 @@ pub(super) fn body(machine: &Machine, at: &Instant, (body, language): (FrameId, 
     sketch.scheme
 }
 
+/// Whether a body is the massless axle of a wheel.
+pub(super) fn is_axle(machine: &Machine, body: FrameId) -> bool {
+    let at = Instant::start(machine);
+    let mut sketch = prepared(machine, (&at, &[]), Language::En);
+    sketch.fit();
+    sketch.blocks();
+    sketch.bodies();
+    sketch.wheel_on(sketch.groups.of(body)).is_some()
+}
+
 /// Everything that is known before the first stroke.
 fn prepared<'a>(machine: &'a Machine, (at, course): (&'a Instant, &[Vec<Pose>]), language: Language) -> Sketch<'a> {
     let pathways = pathways(machine);
     let asked: Vec<(String, Pathway)> = pathways.iter().map(|(act, pathway)| (act.path.clone(), *pathway)).collect();
     let numbers = Numbers::new(machine, at, &asked);
     let groups = Groups::new(&machine.model, &numbers);
-    let acts: Vec<Act> =
+    let mut acts: Vec<Act> =
         pathways.into_iter().map(|(act, pathway)| Act { ends: ends(machine, (&numbers, &groups), (&act.path, pathway)), ..act }).collect();
-    let looks = looks(machine, &numbers, &groups);
+    acts.extend(by_formulas(machine, (&numbers, &groups), at));
+    let pins = super::pinned::pins(&machine.model, &numbers, &groups);
+    let arm = |act: &Act| match act.ends {
+        Ends::Along { on, arm: Some(at), .. } => Some((groups.of_point(&machine.model, on), at)),
+        _ => None,
+    };
+    let arms: Vec<(usize, V3)> = acts.iter().filter_map(arm).collect();
+    let looks = looks(machine, (&numbers, &groups), (&pins, &arms));
     let mut nearer = nearer(machine, &looks, (&groups, &numbers));
     // a line of shafts is drawn from the side, one disc behind the other
     if !acts.iter().any(|a| matches!(a.ends, Ends::Turn { on, from, .. } if groups.of(on) > 0 && groups.of(from) > 0)) {
@@ -124,12 +141,24 @@ fn prepared<'a>(machine: &'a Machine, (at, course): (&'a Instant, &[Vec<Pose>]),
         looks,
         stage,
         acts,
+        pins,
     }
+}
+
+/// Springs and dampers that are given by energies and dissipation functions.
+fn by_formulas(machine: &Machine, parts: (&Numbers, &Groups), at: &Instant) -> Vec<Act> {
+    let model = &machine.model;
+    let elements = model.elements.iter().enumerate().filter(|_| model.structure.is_none());
+    let found = elements.filter_map(|(index, element)| {
+        let (ends, letter) = super::laws::ends(machine, parts, element, at)?;
+        Some(Act { path: element.path.clone(), table: element.table, index, ends, letter })
+    });
+    found.collect()
 }
 
 /// All pathways of the file.
 pub(super) fn pathways(machine: &Machine) -> Vec<(Act, Pathway)> {
-    let act = |path: &str, table, index| Act { path: path.to_owned(), table, index, ends: Ends::Unknown };
+    let act = |path: &str, table, index| Act { path: path.to_owned(), table, index, ends: Ends::Unknown, letter: None };
     let mut out = Vec::new();
     for (i, element) in machine.model.elements.iter().enumerate() {
         // a frame that is part of the machine is drawn by itself
@@ -375,7 +404,12 @@ impl Sketch<'_> {
         let particle =
             matches!(g.joint, Joint::Shifts | Joint::Free) && look.boxes.is_empty() && !self.acts.iter().any(|a| self.touches(a, group));
         let moves = matches!(g.joint, Joint::Slides(_) | Joint::Shifts | Joint::Free);
-        !g.turns && look.wheels.is_empty() && g.heavy && moves && !particle
+        !g.turns && look.wheels.is_empty() && g.heavy && moves && !particle && !self.is_bar(group)
+    }
+
+    /// Whether a group that does not turn is a link: formulas hinge it at more than one place.
+    pub fn is_bar(&self, group: usize) -> bool {
+        !self.groups.all[group].turns && self.pins.iter().filter(|p| p.groups.contains(&group)).count() > 1
     }
 
     /// Groups that move without turning and have mass become blocks.
@@ -397,7 +431,7 @@ impl Sketch<'_> {
             let least = if slender { [0.75 * S, 0.5 * S] } else { [1.15 * S, 0.8 * S] };
             let given = look.boxes.first().map_or(least, |b| b.1.map(|l| self.long(l)));
             let half = [given[0].clamp(least[0], 5.0 * S), given[1].clamp(least[1], 4.0 * S)];
-            let room = 0.62 * S * side_by_side as f64;
+            let room = if self.hangs_from(i) { 1.05 } else { 0.62 } * S * side_by_side as f64;
             let half =
                 if (turn.sin().abs() > 0.7) != self.acts_upright(i) { [half[0].max(room), half[1]] } else { [half[0], half[1].max(room)] };
             self.blocks[i] = Some(Block { center: self.stage.at(i, center), half, turn });
@@ -422,7 +456,7 @@ impl Sketch<'_> {
 
     /// Whether it lies between two ends as springs do.
     pub fn is_body(&self, act: &Act) -> bool {
-        matches!(role(act.table), Role::Spring | Role::Damper)
+        super::laws::resists(role(act.table))
     }
 
     /// Whether something holds a group across its way.
@@ -436,11 +470,58 @@ impl Sketch<'_> {
         grips(model).any(|g| how.contains(&g.held) && self.groups.of_grip(model, &g) == group)
     }
 
+    /// Whether something that turns is hinged to a group.
+    pub fn hangs_from(&self, group: usize) -> bool {
+        self.groups.all.iter().any(|g| g.carrier == group && g.joint == Joint::Turns && g.turns)
+    }
+
+    /// The hinge by formulas of two groups.
+    pub fn pin_of(&self, groups: [usize; 2]) -> Option<P> {
+        let pin = self.pins.iter().find(|p| p.groups.iter().all(|g| groups.contains(g)))?;
+        Some(self.stage.at(pin.groups[1], pin.at))
+    }
+
+    /// Whether a wheel of a group rolls on something.
+    pub fn rolls(&self, group: usize) -> bool {
+        self.machine.model.connections.iter().any(|connection| {
+            let tie = connections::of(connection);
+            let on_track = tie.grips().iter().any(|g| g.held == Held::Rolled);
+            on_track && tie.rims(&Own::of(connection)).iter().any(|rim| self.groups.of(rim.frame) == group)
+        })
+    }
+
+    /// The wheel on a massless axle of which nothing is drawn: both are one body.
+    pub fn wheel_on(&self, axle: usize) -> Option<usize> {
+        let g = &self.groups.all[axle];
+        let drawn = self.scheme.items.iter().any(|item| item.path == g.path);
+        let carried: Vec<usize> = (1..self.groups.all.len()).filter(|i| self.groups.all[*i].carrier == axle).collect();
+        let [wheel] = carried[..] else { return None };
+        let turns = self.groups.all[wheel].joint == Joint::Turns && !self.looks[wheel].wheels.is_empty();
+        (axle != 0 && !g.heavy && !drawn && turns).then_some(wheel)
+    }
+
+    /// The massless axle of a wheel of which nothing is drawn.
+    pub fn axle_of(&self, wheel: usize) -> Option<usize> {
+        let axle = self.groups.all[wheel].carrier;
+        (self.wheel_on(axle) == Some(wheel)).then_some(axle)
+    }
+
+    /// The number of a group in the written calculation: the least of its bodies'.
+    pub fn number_of(&self, group: usize) -> usize {
+        let numbers = crate::numbering::numbers(&self.machine.model);
+        self.groups.all[group].frames.iter().filter_map(|f| numbers[f.index()]).min().unwrap_or(0)
+    }
+
     /// Whether a rod that is hinged to a group is held at its other end, too.
     fn leads_a_rod(&self, group: usize) -> bool {
-        let rods = (1..self.groups.all.len()).filter(|i| self.groups.all[*i].carrier == group && self.groups.all[*i].joint == Joint::Turns);
-        let held: Vec<usize> = rods.filter(|i| self.is_pinned(*i)).collect();
-        !held.is_empty()
+        let mut rods =
+            (1..self.groups.all.len()).filter(|i| self.groups.all[*i].carrier == group && self.groups.all[*i].joint == Joint::Turns);
+        let pinned = |g: usize| self.pins.iter().filter(|p| p.groups.contains(&g)).count();
+        let by_formulas = |p: &super::pinned::Pin| {
+            let other = if p.groups[0] == group { p.groups[1] } else { p.groups[0] };
+            p.groups.contains(&group) && self.groups.all[other].turns && pinned(other) > 1
+        };
+        rods.any(|i| self.is_pinned(i)) || self.pins.iter().any(by_formulas)
     }
 
     /// Whether a group goes up and down without guides.

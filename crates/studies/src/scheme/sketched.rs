@@ -5,10 +5,11 @@ use super::groups::Groups;
 use super::letters::Letters;
 use super::looks::Look;
 use super::numbers::{Instant, Numbers, Pose, STILL, V3};
+use super::pinned::Pin;
 use super::stage::Stage;
 use crate::machine::Machine;
 use report::Scheme;
-use report::scheme::{P, Rides};
+use report::scheme::{LabelText, P, Rides};
 use words::Language;
 
 /// A rectangle that stands for a group.
@@ -28,6 +29,8 @@ pub(super) struct Act {
     /// Number in its list: elements, or connections.
     pub index: usize,
     pub ends: Ends,
+    /// The letter of one that is given by an energy or a dissipation function.
+    pub letter: Option<LabelText>,
 }
 
 pub(super) struct Sketch<'a> {
@@ -41,6 +44,8 @@ pub(super) struct Sketch<'a> {
     pub letters: Letters<'a>,
     pub scheme: Scheme,
     pub acts: Vec<Act>,
+    /// Hinges that follow from formulas.
+    pub pins: Vec<Pin>,
     pub blocks: Vec<Option<Block>>,
     /// Where hinges stand already.
     pub hinges: Vec<P>,

@@ -6,6 +6,8 @@ use report::scheme::{LabelText, P, Place, S, between, direction, polar};
 use std::f64::consts::{FRAC_PI_2, PI};
 use symbolic::Expr;
 
+/// Structures with more rods have each letter of a length once.
+const FEW: usize = 8;
 /// Structures with more rods have no names of nodes.
 const MANY: usize = 60;
 
@@ -32,7 +34,8 @@ impl Sketch<'_> {
         let Some(structure) = &machine.model.structure else { return };
         for rod in &structure.rods {
             let [a, b] = rod.ends.map(|i| self.node(i));
-            self.put("link", &format!("rods.{}", rod.name), Place { at: a, to: b, ..Place::default() });
+            let symbol = if rod.rigid { "rigid" } else { "link" };
+            self.put(symbol, &format!("rods.{}", rod.name), Place { at: a, to: b, ..Place::default() });
         }
         self.structure_supports(structure);
         self.structure_hinges(structure);
@@ -226,22 +229,30 @@ impl Sketch<'_> {
         }
     }
 
-    /// Dimension lines of rods whose lengths have letters, each letter once.
+    /// Lengths and masses of rods that have letters; of many rods each letter once.
     fn rod_lengths(&mut self, structure: &Structure) {
         let mut known: Vec<LabelText> = Vec::new();
         for rod in &structure.rods {
             let [i, j] = rod.ends;
             let [a, b] = [i, j].map(|k| structure.nodes[k].at);
-            let differing: Vec<usize> = (0..2).filter(|k| a[*k] != b[*k]).collect();
-            let graph = &self.machine.model.graph;
-            let [k] = differing[..] else { continue };
-            let letter =
-                [(a[k], b[k]), (b[k], a[k])].into_iter().find_map(|(x, y)| graph.is_zero(y).then(|| self.letters.symbol(x)).flatten());
-            let Some(text) = letter.filter(|t| !known.contains(t)) else { continue };
-            known.push(text.clone());
             let (from, to) = (self.node(i), self.node(j));
-            let middle = between(from, to, 0.5);
-            self.note(text, middle, 5.0, None);
+            let differing: Vec<usize> = (0..2).filter(|k| a[*k] != b[*k]).collect();
+            let mut graph = self.machine.model.graph.clone();
+            if let [k] = differing[..] {
+                let letter = [(a[k], b[k]), (b[k], a[k])].into_iter().find_map(|(x, y)| {
+                    let long = graph.sub(x, y);
+                    graph.as_symbol(long).map(|s| self.letters.named(&graph.symbol_info(s).name))
+                });
+                if let Some(text) = letter.filter(|t| structure.rods.len() <= FEW || !known.contains(t)) {
+                    known.push(text.clone());
+                    self.note(text, between(from, to, 0.5), 5.0, None);
+                }
+            }
+            let mass = graph.mul(rod.mass, rod.length);
+            if let Some(symbol) = graph.as_symbol(mass) {
+                let text = self.letters.named(&graph.symbol_info(symbol).name);
+                self.note(text, between(from, to, 0.3), 7.0, None);
+            }
         }
     }
 }

@@ -415,8 +415,53 @@ fn antiresonances(found: &ResponseFound, language: Language) -> Table {
     table
 }
 
-/// A polynomial as text for people: raised exponents, true minus, the decimal mark of the language.
+/// Coefficients with more digits are read by nobody: the equation is divided by its first coefficient and rounded.
+const LONG: usize = 9;
+/// Significant digits of what is rounded then.
+const ROUNDED: usize = 7;
+
+/// A polynomial whose first coefficient is 1, where coefficients are long numbers; none where they are short, or letters.
+fn scaled(text: &str, language: Language) -> Option<String> {
+    let (left, right) = text.split_once(" = ")?;
+    let (mut terms, mut sign, mut factor): (Vec<(f64, &str)>, f64, Option<f64>) = (Vec::new(), 1.0, None);
+    let mut open = true;
+    for token in left.split(' ').chain(["+"]) {
+        match token {
+            "+" | "-" => {
+                terms.extend(factor.take().map(|c| (sign * c, "")));
+                (sign, open) = (if token == "-" { -1.0 } else { 1.0 }, true);
+            }
+            // letters among the coefficients are no long numbers
+            power if power.starts_with(|c: char| c.is_alphabetic()) && open => {
+                terms.push((sign * factor.take().unwrap_or(1.0), power));
+                open = false;
+            }
+            number => factor = Some(number.parse().ok()?),
+        }
+    }
+    let digits = |token: &str| token.chars().filter(char::is_ascii_digit).count();
+    let long = left.split(' ').any(|token| token.parse::<f64>().is_ok() && digits(token) > LONG);
+    let first = terms.first().map(|t| t.0).filter(|first| long && *first != 0.0)?;
+    let term = |(i, (c, power)): (usize, &(f64, &str))| {
+        let c = c / first;
+        let size = report::number::short(c.abs(), ROUNDED, language);
+        let sign = match (i, c < 0.0) {
+            (0, false) => "",
+            (0, true) => "−",
+            (_, false) => " + ",
+            (_, true) => " − ",
+        };
+        let space = if power.is_empty() { "" } else { " " };
+        if c.abs() == 1.0 && !power.is_empty() { format!("{sign}{power}") } else { format!("{sign}{size}{space}{power}") }
+    };
+    Some(format!("{} = {right}", terms.iter().enumerate().map(term).collect::<String>()))
+}
+
+/// A polynomial as text for people: raised exponents, true minus, the decimal mark of the language; long coefficients are scaled.
 pub fn polynomial(text: &str, language: Language) -> String {
+    let scaled = scaled(text, language);
+    let is_scaled = scaled.is_some();
+    let text = scaled.as_deref().unwrap_or(text);
     let mut out = String::new();
     let mut raised = false;
     for c in text.chars() {
@@ -425,9 +470,24 @@ pub fn polynomial(text: &str, language: Language) -> String {
             '^' => {}
             c if raised => out.push_str(&report::number::superscript(&c.to_string())),
             '-' => out.push('−'),
-            '.' => out.push_str(language.pick(".", ",")),
+            '.' if !is_scaled => out.push_str(language.pick(".", ",")),
             c => out.push(c),
         }
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whole multiples of one equation are one equation: 1.5·10⁹ (z² − 3 z + 2).
+    #[test]
+    fn long_coefficients_are_divided_by_the_first() {
+        let told = |text: &str| polynomial(text, Language::Ru);
+        assert_eq!(told("1500000000 z^2 - 4500000000 z + 3000000000 = 0"), "z² − 3 z + 2 = 0");
+        assert_eq!(told("504 z^3 - 729 z^2 + 94 z - 1 = 0"), "504 z³ − 729 z² + 94 z − 1 = 0");
+        assert_eq!(told("4000000000 z - 1000000000 = 0"), "z − 0,25 = 0");
+        assert_eq!(told("m z^2 - 2.5 = 0"), "m z² − 2,5 = 0");
+    }
 }

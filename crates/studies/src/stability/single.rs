@@ -20,6 +20,12 @@ use words::{Notice, Text};
 
 /// Places of a turn.
 const PLACES: usize = 37;
+/// Values that differ less, relatively, are one: rounding of formulas.
+const SAME: f64 = 1e-12;
+/// Steps of the search of an extreme, each of which leaves the golden share of the interval: the last is one of 1e-9 of a turn.
+const HALVINGS: usize = 40;
+/// The golden share.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Harmonics of ψ in JSON.
 const HARMONICS: usize = 6;
 
@@ -38,6 +44,10 @@ pub(super) fn single(machine: &mut Machine, study: &Stability, results: &mut Res
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     results.rows = Rows::All;
     facts(results, &point);
+    if let Some(reduction) = &reduction {
+        let (start, _) = point::running(machine, study)?;
+        results.facts.extend(largest(reduction, start));
+    }
     results.own.extend(to_json(&point));
     results.words.push(Words(&point).verdict());
     results.words.extend(Words(&point).resonance());
@@ -75,8 +85,35 @@ fn table(machine: &mut Machine, study: &Stability, reduction: &Reduction, data: 
         let label = Text::new("the same in hertz", "она же в герцах");
         data.columns.push(column("f", ("f", "Hz"), label, frequencies.iter().map(|k| k / TAU).collect()));
     }
-    data.columns.push(column("psi", ("ψ", "1/s^2"), Text::new("ψ = K/J", "ψ = K/J"), psi));
+    data.columns.push(column(
+        "psi",
+        ("ψ", "1/s^2"),
+        Text::new("square of the natural frequency of the held position", "квадрат собственной частоты в этом положении"),
+        psi,
+    ));
     Ok(())
+}
+
+/// The largest reduced inertia of a turn and its place, sought between places; none where it is the same everywhere.
+fn largest(reduction: &Reduction, start: f64) -> Vec<Fact> {
+    let inertia = |phi: f64| reduction.at(phi)[0];
+    let step = TAU / PLACES as f64;
+    let places: Vec<f64> = (0..PLACES).map(|k| start + step * k as f64).collect();
+    let values: Vec<f64> = places.iter().map(|phi| inertia(*phi)).collect();
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // of two alike the first
+    let Some(k) = values.iter().position(|v| top - v <= SAME * top).filter(|_| top - least > SAME * top) else { return Vec::new() };
+    let (mut low, mut high) = (places[k] - step, places[k] + step);
+    for _ in 0..HALVINGS {
+        let (a, b) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        if inertia(a) < inertia(b) { low = a } else { high = b }
+    }
+    let place = 0.5 * (low + high);
+    let label = Text::new("largest reduced inertia of a turn", "наибольший за оборот приведённый момент инерции");
+    let at = Text::new("position in which it is largest", "положение, в котором он наибольший");
+    let turned = (place - start).rem_euclid(TAU);
+    vec![Fact::new("J_max", "J_max", "kg m^2", inertia(place), label), Fact::new("phi_J_max", "φ_J", "rad", start + turned, at)]
 }
 
 fn facts(results: &mut Results, point: &Point) {

@@ -7,6 +7,7 @@ use super::guards::within;
 use super::solve;
 use crate::answers::meaning;
 use crate::answers::wanted::Wanted;
+use crate::results::Results;
 use crate::watch::Watch;
 use mechanics::asked::Asked;
 use mechanics::model::{AnswerDecl, AnswerValue, Class as Dependence};
@@ -148,13 +149,14 @@ pub fn grade(class: &mut Class, answers: &[AnswerDecl], pupil: &Pupil<'_>, cells
     let mut done: Vec<Graded> = Vec::new();
     let mut own: Vec<(usize, f64)> = Vec::new();
     let mut others = Others::default();
+    let mut kept: Kept = None;
     for (i, answer) in answers.iter().enumerate() {
         let (given, written) = cells.get(i).cloned().unwrap_or((String::new(), Written::Missing));
         let truth = pupil.truths.get(i).copied().flatten();
         let size = pupil.sizes.get(i).copied().unwrap_or(0.0);
         let mut item = Graded { given, verdict: verdict(answer, truth.map(|t| (t, size)), &written), likeness: None };
         if let (Verdict::Wrong(_), Written::Number { value, .. }, Some(truth)) = (&item.verdict, &written, truth) {
-            if follows(class, (answers, i), pupil, (&own, &written)) {
+            if follows(class, (answers, i), pupil, (&own, &written), &mut kept) {
                 item.verdict = Verdict::Follows;
             } else {
                 item.likeness = looks(class, (answers, i), pupil, ((truth, *value), &mut others));
@@ -178,22 +180,29 @@ fn follows(
     (answers, i): (&[AnswerDecl], usize),
     pupil: &Pupil<'_>,
     (own, written): (&[(usize, f64)], &Written),
+    kept: &mut Kept,
 ) -> bool {
     let carries = own.iter().any(|(k, _)| answers[*k].gives.is_some()) || matches!(answers[i].value, AnswerValue::Formula { .. });
     if own.is_empty() || !carries {
         return false;
     }
-    let truth = carried(class, answers, pupil.member, own).and_then(|truths| truths.get(i).copied().flatten());
+    let truth = carried(class, answers, pupil.member, own, kept).and_then(|truths| truths.get(i).copied().flatten());
     truth.is_some() && verdict(&answers[i], truth.map(|t| (t, 0.0)), written).counts()
 }
 
+/// What the studies of a variant give with a student's own values of parameters: more wrong items do not ask for them again.
+type Kept = Option<(Vec<(String, f64)>, Vec<Results>)>;
+
 /// The numbers that follow from a student's own values.
-fn carried(class: &mut Class, answers: &[AnswerDecl], member: &Member, own: &[(usize, f64)]) -> Option<Vec<Option<f64>>> {
+fn carried(class: &mut Class, answers: &[AnswerDecl], member: &Member, own: &[(usize, f64)], kept: &mut Kept) -> Option<Vec<Option<f64>>> {
     let values: Vec<(String, f64)> =
         own.iter().filter_map(|(k, value)| answers[*k].gives.clone().map(|name| (name, value * answers[*k].unit.factor))).collect();
     let changed = changed(class, member, &values)?;
     let machine = class.machine(&changed).ok()?;
-    let results = solve::studies(machine, &mut Watch::default());
+    if kept.as_ref().is_none_or(|(of, _)| *of != values) {
+        *kept = Some((values, solve::studies(machine, &mut Watch::default())));
+    }
+    let results = kept.as_ref().map(|(_, results)| results.clone()).unwrap_or_default();
     let solved = solve::answers(machine, results, (&member.given, own), &mut Watch::default());
     Some(solved.truths.into_iter().map(Result::ok).collect())
 }

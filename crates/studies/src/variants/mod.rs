@@ -72,8 +72,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "C071",
         ("Answers to another task", "Ответы на другое задание"),
         (
-            "The file with the answers names another model in its first line, or no column is the name of a question of the key. The file answers.csv beside the key has the right columns.",
-            "В первой строке файла с ответами указана другая модель, либо ни один столбец не называется как вопрос из ключа. Файл answers.csv рядом с ключом имеет нужные столбцы.",
+            "The file with the answers names another model in its first line, no column is the name of a question of the key, or some columns are none while questions of the key have no column. The file answers.csv beside the key has the right columns.",
+            "В первой строке файла с ответами указана другая модель, либо ни один столбец не называется как вопрос из ключа, либо есть столбцы с другими названиями, а некоторым вопросам столбца не досталось. Файл answers.csv рядом с ключом имеет нужные столбцы.",
         ),
     ),
     plain(

@@ -7,6 +7,8 @@ use words::Language;
 
 /// Significant digits of a number in a sentence.
 const DIGITS: usize = 4;
+/// A growth that is zero but for rounding, 1/s: multipliers on the unit circle are found to ten digits.
+const STEADY: f64 = 1e-6;
 /// How far a sample may lie beyond an extreme that was sought between samples.
 const ROUNDING: f64 = 1e-9;
 
@@ -26,7 +28,13 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
         let line = format!("{}. {words}", told.len() + 1);
         told.push(words);
         match statement {
-            Conclusion::Held { .. } | Conclusion::Irregular { .. } => pen.tell(symbols.split(&line)),
+            Conclusion::Held { .. }
+            | Conclusion::Irregular { .. }
+            | Conclusion::Greatest { .. }
+            | Conclusion::Number { .. }
+            | Conclusion::Disturbed { .. } => {
+                pen.tell(symbols.split(&line));
+            }
             _ => pen.say(line),
         }
     }
@@ -54,6 +62,11 @@ impl Conclusion {
             }
             Conclusion::Antiresonance { omega, exact, .. } => *exact && *omega > 0.0 && omega.is_finite(),
             Conclusion::Regime { period, .. } => *period > 0.0 && period.is_finite(),
+            // a verdict and a growth that speak against one another are told by neither
+            Conclusion::Disturbed { stable, growth, verdict } => {
+                !verdict.en.is_empty() && growth.is_none_or(|g| g.is_finite() && stable.is_none_or(|stable| stable == (g <= STEADY)))
+            }
+            Conclusion::Number { label, value, .. } => !label.en.is_empty() && value.is_finite(),
             Conclusion::Irregular { delta } => *delta >= 0.0 && delta.is_finite(),
             Conclusion::Needed { delta, found } => {
                 !found.is_empty() && found.iter().all(|(_, value, _)| value.is_finite()) && delta.is_none_or(|d| d > 0.0 && d.is_finite())
@@ -102,6 +115,8 @@ impl Conclusion {
                 let [holds, fails] = regimes(&number(*period), language);
                 if *stable { holds } else { fails }
             }
+            Conclusion::Disturbed { verdict, .. } => ended(language.text(verdict)),
+            Conclusion::Number { label, symbol, value, unit } => found(language.text(label), (symbol, &number(*value), unit)),
             Conclusion::Irregular { delta } => {
                 let delta = number(*delta);
                 language.pick(
@@ -124,6 +139,18 @@ impl Conclusion {
             ),
         }
     }
+}
+
+/// A number that a study found.
+fn found(label: &str, (symbol, value, unit): (&str, &str, &str)) -> String {
+    let value = report::number::with_unit(value, unit);
+    format!("{}: {symbol}\u{a0}=\u{a0}{value}.", words::capital(label))
+}
+
+/// A sentence, with its full stop.
+fn ended(text: &str) -> String {
+    let text = words::capital(text.trim());
+    if text.ends_with('.') { text } else { format!("{text}.") }
 }
 
 /// `F_0 = 8999 N; ...`.
@@ -267,6 +294,12 @@ mod tests {
                 Conclusion::Greatest { label: words::Text::same("x"), shown: (value, String::new()), t, beside: all.clone(), value },
                 Conclusion::Regime { period: value, stable: t > 0.0 },
                 Conclusion::Irregular { delta: value },
+                Conclusion::Disturbed {
+                    stable: Some(t > 0.0),
+                    growth: Some(value),
+                    verdict: words::Text::same(if t > 0.0 { "stable" } else { "grows" }),
+                },
+                Conclusion::Number { label: words::Text::same("x"), symbol: "x".into(), value, unit: String::new() },
                 Conclusion::Needed { delta: Some(t), found: vec![("J".into(), value, "kg".into())] },
                 Conclusion::Needed { delta: None, found: all.iter().map(|v| ("x".to_owned(), *v, String::new())).collect() },
                 Conclusion::Rest { stable: decided.clone() },
@@ -285,6 +318,9 @@ mod tests {
                     Conclusion::Lowest { omega, all } => assert!(!all.iter().any(|w| *w > 0.0 && *w < *omega), "{statement:?}"),
                     Conclusion::Greatest { value, beside, .. } => {
                         assert!(!beside.iter().any(|v| v.abs() > value.abs() * (1.0 + 2.0 * ROUNDING)), "{statement:?}");
+                    }
+                    Conclusion::Disturbed { growth, .. } => {
+                        assert_eq!(words.contains("Stable"), growth.is_some_and(|g| g <= STEADY), "{statement:?}");
                     }
                     Conclusion::Regime { stable, .. } => assert_eq!(words.contains("unstable"), !stable),
                     Conclusion::Rest { stable } => {

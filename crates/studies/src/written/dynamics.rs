@@ -256,7 +256,7 @@ fn forces(work: &Work, pen: &mut Pen) {
             let what = work.language.pick("Power of the load", "Мощность нагрузки");
             let name = work.load_name(&load.path);
             pen.say(work.language.pick(format!("{what} “{name}”:"), format!("{what} «{name}»:")));
-            let left = Layout::Symbol(work.printer.named("N"));
+            let left = Layout::Symbol(work.printer.named(&work.power_of(&load.path)));
             let right = work.readable(&graph, power);
             pen.formula(work.printer.block(Layout::Related(Box::new(left), Relation::Equal, Box::new(right))));
         }

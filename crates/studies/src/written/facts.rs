@@ -216,7 +216,7 @@ impl<'a> Work<'a> {
                     .collect();
                 let power = graph.sum(&terms);
                 vec![inline(Layout::Related(
-                    Box::new(Layout::Symbol(self.printer.named("N"))),
+                    Box::new(Layout::Symbol(self.printer.named(&self.power_of(path)))),
                     Relation::Equal,
                     Box::new(self.readable(&graph, power)),
                 ))]

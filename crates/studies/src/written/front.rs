@@ -22,6 +22,8 @@ pub(super) fn page(work: &Work, front: &Front) -> Block {
         true => made,
         false => language.pick(format!("{made}, group {group}"), format!("{made} студент группы {group}")),
     };
+    // a line to sign on before each name
+    let signed = |name: String| if name.is_empty() { name } else { format!("______________\u{a0}{name}") };
     let above = [text(&front.organisation), text(&front.department)];
     let below = [text(&front.city), front.year.clone()];
     Block::Front(report::document::Front {
@@ -29,7 +31,10 @@ pub(super) fn page(work: &Work, front: &Front) -> Block {
         kind: or(&front.kind, language.pick("Calculation", "Расчётная работа")),
         subject: capital(work.text(&work.model.title)),
         about,
-        people: vec![(made, text(&front.student)), (language.pick("Checked by", "Проверил").to_owned(), text(&front.teacher))],
+        people: vec![
+            (made, signed(text(&front.student))),
+            (language.pick("Checked by", "Проверил").to_owned(), signed(text(&front.teacher))),
+        ],
         below: below.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" "),
     })
 }

@@ -1,4 +1,5 @@
-//! All named quantities at the instants at which an acceleration is greatest: the table that a course asks for beside the curves.
+//! All named quantities at the instants at which an acceleration is greatest, and at the events that the file names: the tables that a course asks for beside the
+//! curves.
 
 use super::pen::Pen;
 use super::work::Work;
@@ -29,6 +30,19 @@ pub(super) fn of_motion(work: &Work, results: &Results, pen: &mut Pen) {
             format!("Values at the instant of the largest magnitude of “{what}”"),
             format!("Значения величин в момент наибольшего по модулю значения величины «{what}»"),
         );
+        pen.table(table, caption);
+    }
+    at_events(work, results, pen);
+}
+
+/// Values of every named quantity at the first of the events that the file names for the reader.
+fn at_events(work: &Work, results: &Results, pen: &mut Pen) {
+    let Some(any) = results.data.columns.iter().map(|c| c.quantity.name.clone()).find(|n| n != "t") else { return };
+    for declared in work.model.events.iter().filter(|e| !e.label.en.is_empty()).take(MOST) {
+        let first = results.data.events.iter().find(|e| e.name == declared.name);
+        let Some(table) = first.and_then(|event| at(work, results, &any, event.t)) else { continue };
+        let what = work.text(&declared.label);
+        let caption = work.language.pick(format!("Values at the event “{what}”"), format!("Значения величин в момент события «{what}»"));
         pen.table(table, caption);
     }
 }

@@ -64,12 +64,27 @@ const CHAPTERS: &[Chapter] = &[
     Chapter { title: Word::Tables, count: Count::Letter, make: appendix::tables },
 ];
 
+/// Blocks of more than ten pages: a printed page holds about nine of them.
+const LONG: usize = 90;
+
 /// Whether the file asks for a chapter; a short calculation has no appendix unless it is asked for.
 fn is_wanted(report: &mechanics::model::Report, chapter: &Chapter) -> bool {
     match &report.parts {
         Some(parts) => parts.iter().any(|part| *part == chapter.title.chapter()),
         None => report.depth == Depth::Full || chapter.count != Count::Letter,
     }
+}
+
+/// The signs that all motions of a calculation keep.
+pub fn signs(calculation: &Calculation) -> Vec<(symbolic::Expr, report::formula::Sign)> {
+    signs::kept(calculation)
+}
+
+/// How a formula of the derivation is set: bodies go by their numbers, springs by a letter.
+pub fn steps(calculation: &Calculation, language: Language) -> impl Fn(&symbolic::equations::StepFormula) -> report::formula::Layout {
+    // a terminal asks for none
+    let work = std::cell::OnceCell::new();
+    move |formula| work.get_or_init(|| Work::new(calculation, language)).step_formula(formula)
 }
 
 /// What the machine is made of, as tables: bodies, connections, elements and loads with their laws, rods.
@@ -90,8 +105,8 @@ pub fn compose(calculation: &Calculation, language: Language) -> Document {
     for chapter in CHAPTERS.iter().filter(|chapter| is_wanted(report, chapter)) {
         pen.chapter((chapter.title, chapter.count), |pen| (chapter.make)(&work, pen));
     }
-    // a work that is handed in lists its chapters
-    if report.front.is_some() {
+    // a work that is handed in lists its chapters, and so does one of more than ten pages
+    if report.front.is_some() || pen.blocks.len() > LONG {
         pen.blocks.insert(at, Block::Contents);
     }
     let title = language.text(&work.model.title).into();

@@ -15,6 +15,26 @@ impl Teller for Work<'_> {
 }
 
 impl Work<'_> {
+    /// The letter of the power of a load: N, where no force, parameter or result of the machine has it; of several loads with a number.
+    pub(super) fn power_of(&self, path: &str) -> String {
+        let equations = self.equations;
+        let shown = |name: &str| equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, shown)| shown).to_owned();
+        let reactions = equations.reactions.iter().map(|r| shown(&equations.graph.symbol_info(r.symbol).name));
+        let named = equations
+            .outputs
+            .iter()
+            .map(|o| shown(&o.name))
+            .chain(equations.parameters.iter().map(|p| shown(equations.graph.symbol_info(p.symbol).name.as_str())));
+        let taken: Vec<String> = reactions.chain(named).collect();
+        let is_free = |letter: &&str| !taken.iter().any(|t| t.split('_').next() == Some(*letter));
+        let letter = ["N", "P", "W"].into_iter().find(is_free).unwrap_or("N");
+        let loads: Vec<&str> = equations.applied.iter().filter(|load| !load.forces.is_empty()).map(|load| load.path.as_str()).collect();
+        match loads.iter().position(|p| *p == path) {
+            Some(at) if loads.len() > 1 => format!("{letter}_{}", at + 1),
+            _ => letter.to_owned(),
+        }
+    }
+
     /// "spring 2", or what the file calls it.
     pub(super) fn element_name(&self, element: &Element) -> String {
         let label = self.text(&element.label);

@@ -40,6 +40,9 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
 fn free_bodies(work: &Work) -> Vec<Block> {
     let machine = &work.calculation.machine;
     let drawn = work.by_number().into_iter().filter_map(|(i, frame)| {
+        if crate::scheme::is_axle(machine, mechanics::model::FrameId(i)) {
+            return None;
+        }
         let options = crate::scheme::Options { at: None, body: Some(frame.name.clone()) };
         let mut scheme = crate::scheme::scheme(machine, &options, work.language)?;
         let body = capital(&work.body(mechanics::model::FrameId(i)));
@@ -80,13 +83,15 @@ fn of_motion(work: &Work, results: &Results, pen: &mut Pen) {
         let nothing = size <= NOISE * largest(results, &columns, &quantity.unit);
         let scale = crate::results::tables::scale(quantity, if nothing { 0.0 } else { size });
         let number = |x: f64| Cell::number(if nothing { 0.0 } else { x }, DIGITS, work.language);
+        // what is rounding beside the other extreme is zero, too
+        let value = |v: f64| number(if v.abs() <= NOISE * size { 0.0 } else { v / scale.size });
         let instant = |t: f64| if nothing { Cell::words("–") } else { number(t) };
         table.row(vec![
             Cell::symbol(quantity.symbol.clone()),
             Cell::words(scale.print(work.language)),
-            number(extreme.max / scale.size),
+            value(extreme.max),
             instant(extreme.t_max),
-            number(extreme.min / scale.size),
+            value(extreme.min),
             instant(extreme.t_min),
             Cell::words(work.text(&output.label)),
         ]);

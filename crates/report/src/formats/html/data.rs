@@ -21,6 +21,7 @@ const WORDS: &[(&str, Word)] = &[
     ("log", Word::LogAxis),
     ("rows", Word::RowsOf),
     ("noPositive", Word::NoPositive),
+    ("theme", Word::Theme),
 ];
 
 /// JSON of all figures of a page.

@@ -36,6 +36,14 @@
       return { ...item, g, paths: [...g.querySelectorAll("path:not(.run)")], run: g.querySelector(".run") };
     });
     const states = movie.states.map(([i, stays]) => ({ g: svg.querySelector(`[data-item="${i}"]`), stays, look: "" }));
+    // a lock on what sticks: shown by the style of its state
+    for (const { g, stays } of states) {
+      if (!stays.some((stay) => stay[2] === "sticks")) continue;
+      const lock = document.createElementNS("http://www.w3.org/2000/svg", "path"), area = g.getBBox();
+      lock.setAttribute("class", "lock");
+      lock.setAttribute("d", `M${round(area.x - 13)} ${round(area.y - 2)}v7h9v-7zm1.5 0v-2.5a3 3 0 0 1 6 0v2.5`);
+      g.append(lock);
+    }
     const labels = movie.labels.map(([i, a, b, x, y]) => ({ g: svg.querySelector(`[data-label="${i}"]`), a, b, x, y }));
     const last = movie.first + movie.span;
     let now = movie.shown, playing = false, before = 0, told = 0, pace = movie.pace, again = movie.clock.repeats, quiet = false;

@@ -172,7 +172,9 @@
       tip.textContent = `${hit[2]}: ${number(hit[0], 6)}`;
       tip.style.top = u.over.offsetTop + host.offsetTop + 6 + "px";
       const x = u.over.offsetLeft + left;
-      tip.style.left = Math.max(0, x > host.clientWidth / 2 ? x - tip.offsetWidth - 10 : x + 10) + "px";
+      // a long word never makes the page wider
+      const beside = x > host.clientWidth / 2 ? x - tip.offsetWidth - 10 : x + 10;
+      tip.style.left = Math.max(0, Math.min(host.clientWidth - tip.offsetWidth, beside)) + "px";
     }
     function spread(u) {
       const { min, max } = u.scales.x;
@@ -373,7 +375,7 @@
   });
 
   // ---- dark and light
-  const button = element("button", { type: "button", title: "dark / light" }, "◐");
+  const button = element("button", { type: "button", title: words.theme, "aria-label": words.theme }, "◐");
   button.onclick = () => {
     root.dataset.theme = isDark() ? "light" : "dark";
     live.forEach((l) => l.repaint());

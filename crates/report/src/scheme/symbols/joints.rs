@@ -7,6 +7,9 @@ use crate::scheme::{Fill, Fit, Ink, Place, S, Weight};
 pub(super) const ROWS: &[Symbol] = &[
     Symbol { name: "pin", words: ("hinge", "шарнир"), fit: Fit::Rigid, draw: pin, sample: middle },
     Symbol { name: "link", words: ("link", "звено"), fit: Fit::Rigid, draw: link, sample: across },
+    Symbol {
+        name: "rigid", words: ("rod that does not deform", "недеформируемый стержень"), fit: Fit::Rigid, draw: rigid, sample: across
+    },
     Symbol { name: "rod", words: ("massless rod", "невесомый стержень"), fit: Fit::Stretch, draw: rod, sample: across },
     Symbol {
         name: "plate",
@@ -45,6 +48,13 @@ fn point(place: &Place, ink: &mut Ink) {
 /// From `at` to `to`.
 fn link(place: &Place, ink: &mut Ink) {
     ink.way(Weight::Link, &[place.at, place.to]);
+}
+
+/// A bar with a thickness, among rods that bend.
+fn rigid(place: &Place, ink: &mut Ink) {
+    let (turn, half) = (direction(place.at, place.to), distance(place.at, place.to) / 2.0);
+    let middle = between(place.at, place.to, 0.5);
+    ink.outline(Weight::Part, Fill::Ink, &Local::new(middle, turn).block(half, 0.14 * S));
 }
 
 fn rod(place: &Place, ink: &mut Ink) {
