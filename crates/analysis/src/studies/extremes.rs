@@ -1,5 +1,7 @@
 //! Resonances and antiresonances of a response, with what absorbs.
 
+mod sharp;
+
 use crate::Fault;
 use crate::peaks::{self, Peak};
 use crate::studies::modes::{Complex, Kind, Mode, Modes};
@@ -48,6 +50,10 @@ const STILL: f64 = 1e-9;
 const SHARE: f64 = 0.05;
 /// How much larger than beside it a value is where it is infinite: a change of sign through zero is smaller, and the place is known to rounding.
 const ENDLESS: f64 = 1e6;
+/// Damping ratio below which peaks are looked for over the distance from the root: points of a grid stand no nearer to each other.
+const SHARP: f64 = 1e-6;
+/// Half-width of a peak, as a share of its frequency, below which frequencies themselves are too coarse.
+const NARROWEST: f64 = 1e-12;
 /// Points between two natural frequencies.
 const BETWEEN: usize = 60;
 /// Points of the grid at most at which modes are asked for: an eigenproblem each, and natural frequencies are smooth beside amplitudes.
@@ -66,10 +72,11 @@ pub fn extremes(
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok((high, low)) };
     let mut natural: Vec<Mode> = modes.modes.clone();
     natural.extend(critical(forced, points)?);
-    let omegas = dense(&natural, first.omega, last.omega, points);
+    let roots = sharp::roots(forced, &natural, [first.omega, last.omega])?;
+    let omegas = dense((&natural, &roots), first.omega, last.omega, points);
     let dense = omegas.iter().map(|w| forced.at(*w)).collect::<Result<Vec<Point>, Fault>>()?;
     for k in 0..outputs {
-        let mut search = Search { forced, modes, natural: &natural, k, omegas: &omegas, points: &dense };
+        let mut search = Search { forced, modes, natural: &natural, sharp_roots: &roots, k, omegas: &omegas, points: &dense };
         high.extend(search.resonances()?);
         low.extend(search.antiresonances()?);
     }
@@ -77,12 +84,13 @@ pub fn extremes(
 }
 
 /// The grid, points between natural frequencies, and points about each.
-fn dense(modes: &[Mode], from: f64, to: f64, points: &[Point]) -> Vec<f64> {
+fn dense((modes, roots): (&[Mode], &[sharp::Root]), from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     let mut marks: Vec<f64> = modes.iter().filter(|m| m.kind == Kind::Oscillation && m.damped > 0.0).map(|m| m.damped).collect();
     let mut list: Vec<f64> = points.iter().map(|p| p.omega).collect();
     for m in modes.iter().filter(|m| m.kind == Kind::Oscillation) {
-        // without damping points stand as near as those of a damping of a millionth
-        let half = m.omega * m.ratio.abs().max(1e-6);
+        // without damping points stand as near as those of a damping of a millionth, and where the peak is looked for from its root
+        let apart = m.root.0 == 0.0 || roots.iter().any(|r| r.reaches(m.damped));
+        let half = m.omega * m.ratio.abs().max(if apart { SHARP } else { NARROWEST });
         for s in [0.1, 0.3, 0.6, 1.0, 2.0, 4.0, 10.0, 30.0, 100.0] {
             list.extend([m.damped - s * half, m.damped + s * half]);
         }
@@ -95,7 +103,8 @@ fn dense(modes: &[Mode], from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     list.retain(|w| (from..=to).contains(w) && *w > 0.0);
     list.sort_by(f64::total_cmp);
     // nine digits: the same frequency found twice
-    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
+    let narrowest = modes.iter().map(|m| m.ratio.abs()).filter(|r| *r > 0.0).fold(SHARP, f64::min).max(NARROWEST);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * narrowest * b.abs());
     list
 }
 
@@ -136,6 +145,8 @@ struct Search<'a, 'm> {
     modes: &'a Modes,
     /// With those at critical speeds, where the machine follows the frequency.
     natural: &'a [Mode],
+    /// Roots with so little damping that no grid shows their peaks.
+    sharp_roots: &'a [sharp::Root],
     k: usize,
     omegas: &'a [f64],
     points: &'a [Point],
@@ -171,9 +182,12 @@ impl Search<'_, '_> {
         // modes without damping beside damped ones have poles too
         let mut found = self.poles(from, to)?;
         let poles: Vec<f64> = found.iter().map(|r| r.omega).collect();
+        found.extend(self.sharp()?);
         for c in peaks::candidates(&powers, 1.0) {
             let (low, high) = (self.omegas[c - 1], self.omegas[c + 1]);
-            if poles.iter().any(|w| (low..=high).contains(w)) {
+            // from their roots these have been looked at
+            let seen = |r: &sharp::Root| r.reaches(self.omegas[c]) || (low..=high).contains(&r.root.1);
+            if poles.iter().any(|w| (low..=high).contains(w)) || self.sharp_roots.iter().any(seen) {
                 continue;
             }
             let peak = peaks::refine(&mut |w| square(self.value(w)), low, high, 1.0);
@@ -239,7 +253,7 @@ impl Search<'_, '_> {
         let (z, still) = (point.outputs[self.k], magnitude(point.still[self.k]));
         let resounding = self.resounding(peak.omega)?;
         let (mode, quality) = (resounding.map(|(i, _)| i), resounding.map_or(f64::NAN, |(_, ratio)| 0.5 / ratio));
-        let half_power = [self.half(&peak, -1.0), self.half(&peak, 1.0)];
+        let half_power = [-1.0, 1.0].map(|side| self.half((&peak, side), 0.0, &|search, omega| square(search.value(omega))));
         let gain = if still > 0.0 { magnitude(z) / still } else { f64::NAN };
         Ok(Resonance { output: self.k, omega: peak.omega, amplitude: magnitude(z), phase: phase(z), gain, mode, quality, half_power })
     }
@@ -252,21 +266,21 @@ impl Search<'_, '_> {
         Ok(candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(i, m)| (i, m.ratio)))
     }
 
-    /// Where the amplitude has fallen to 1/√2 of the peak, beside it.
-    fn half(&mut self, peak: &Peak, side: f64) -> f64 {
+    /// Where the amplitude has fallen to 1/√2 of the peak, beside it and above the least place.
+    fn half(&mut self, (peak, side): (&Peak, f64), least: f64, power_at: &dyn Fn(&mut Self, f64) -> f64) -> f64 {
         let level = 0.5 * peak.amplitude * peak.amplitude;
         let mut inner = peak.omega;
         for step in 1..=200 {
             let outer = peak.omega + side * 0.1 * peak.width * f64::from(step);
-            if outer <= 0.0 {
+            if outer <= least {
                 return f64::NAN;
             }
-            let power = square(self.value(outer));
+            let power = power_at(self, outer);
             if power > 1.0001 * peak.amplitude * peak.amplitude {
                 return f64::NAN;
             }
             if power < level {
-                let mut above = |w: f64| square(self.value(w)) - level;
+                let mut above = |w: f64| power_at(self, w) - level;
                 return if side > 0.0 { peaks::zero(&mut above, inner, outer) } else { peaks::zero(&mut |w| -above(w), outer, inner) };
             }
             inner = outer;

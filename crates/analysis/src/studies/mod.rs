@@ -32,6 +32,7 @@ pub mod rest;
 pub mod rolling;
 mod roots;
 pub mod shapes;
+mod sharp;
 pub mod simulate;
 pub mod stability;
 pub mod statics;
