@@ -19,13 +19,15 @@ use algebra::double::Double;
 const HIGHEST: usize = 16;
 /// Nodes of a derivative beyond which the next one is not asked for.
 const LONGEST: usize = 5000;
-/// Steps of Newton's method, and the share of a step in its size that ends them.
+/// Steps of Newton's method: it doubles the digits of a simple zero, and gives up elsewhere.
 const STEPS: usize = 40;
+/// Share of the place below which a step ends them: a hundredth of the last digit of a single number.
 const SETTLED: f64 = 1e-18;
 /// How far the place may be from where Newton's method has ended, as a share of its size (of 1 where it is zero).
 const NEAR: f64 = 0.2;
-/// Share of the term of order m, over that distance, which the terms of lower order have at a zero of order m, and which terms of higher order leave to it.
+/// Share of the term of order m, over that distance, below which terms of lower order are rounding of the place: at a zero of order m - 1 they are of its size.
 const VANISHED: f64 = 1e-9;
+/// Share of terms of higher order that the term of order m has at least: one that is rounding has less.
 const LEADS: f64 = 1e-3;
 
 /// The place next to `q`; none where it is a simple zero or has more coordinates, or where the force is not known in twice the digits.
