@@ -13,7 +13,7 @@ mod reactions;
 mod seen;
 mod sought;
 
-pub use graded::Graded;
+pub use graded::{By, Graded};
 pub use machine::values::Values;
 pub use machine::{LinearMachine, Place, driven};
 pub use matrices::{Harmonic, Matrices, hidden_inertia, largest, parts};

@@ -147,6 +147,24 @@ fn no_angle() -> Failure {
         .misuse()
 }
 
+/// Change of the moment from the start of a cycle to its end, as a share of the largest, beyond which it is more than the tolerance of the motion that leads through it.
+const REPEATED: f64 = 1e-6;
+
+/// What is to be said where the reduced moment at the end of the cycle is not the one at its start: the next turn is another one, and what balances this one does not
+/// balance that.
+fn unrepeated(data: &analysis::dataset::Dataset) -> Option<Text> {
+    let moments = &data.column("M")?.values;
+    let [first, last] = [*moments.first()?, *moments.last()?];
+    let largest = moments.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    ((last - first).abs() > REPEATED * largest).then(|| {
+        let [a, b] = [first, last].map(words::digits::rounded);
+        Text::new(
+            format!("the reduced moment is {} N m at the start of the cycle and {} N m at its end: the next turn is another one, and drive, excess work and flywheel are those of this turn alone; give `turns` after which the loads repeat", a.en, b.en),
+            format!("приведённый момент в начале цикла {} Н·м, а в конце {} Н·м: следующий оборот не такой же, и движущий момент, избыточная работа и маховик относятся только к этому; задайте `turns` — число оборотов, через которое нагрузки повторяются", a.ru, b.ru),
+        )
+    })
+}
+
 /// The balance, the drive that closes it and the flywheel.
 pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Results {
     let mut results = Results {
@@ -187,6 +205,7 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
     let mut changed = tried.machine;
     results.data = provenance::stamp(balance.dataset.clone(), &changed.equations, &machine.model_hash);
     results.data.notes.extend(pulling);
+    results.data.notes.extend(unrepeated(&balance.dataset));
     results.words.extend(formula);
     if study.unknown.is_some() {
         let name = Text::new(

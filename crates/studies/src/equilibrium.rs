@@ -149,7 +149,8 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     let (mut outcome, below, timing, equations) = if analysis::studies::rest::report::is_free(&machine.equations) {
         let n = machine.equations.coordinates.len();
         let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
-        let found = analysis::studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
+        let mut found = analysis::studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
+        settle(&mut linear, &mut found.dataset);
         let below = placed(&mut linear, &found.dataset);
         (found, below, linear.timing(), machine.equations.clone())
     } else {
@@ -168,6 +169,14 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     outcome.dataset.notes.extend(crate::small::timing_notes(timing));
     outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
     Ok(outcome)
+}
+
+/// Brings multiple zeros of the force to their last digits.
+fn settle(linear: &mut LinearMachine, data: &mut Dataset) {
+    let Some(column) = data.columns.first_mut().filter(|_| linear.coordinates().len() == 1) else { return };
+    for value in &mut column.values {
+        *value = analysis::studies::rest::multiple::settled(linear, *value).unwrap_or(*value);
+    }
 }
 
 /// What the coordinates of each place have below their last digits.

@@ -2,6 +2,7 @@
 
 use symbolic::{Equations, Expr, SymbolId};
 
+use super::graded::has_weak_damper;
 use super::machine::{LinearMachine, Place};
 use super::matrices::Matrices;
 use crate::Fault;
@@ -17,6 +18,19 @@ impl LinearMachine {
     pub(super) fn below(&self, stiffness: &[f64], place: &Place) -> Option<Vec<f64>> {
         let fine = self.doubles(self.linear.stiffness.entries(), place)?;
         Some(fine.iter().zip(stiffness).map(|(fine, single)| fine.less(Double::from(*single)).round()).collect())
+    }
+
+    /// What B has below its last digits, empty where no weak damper lies there; none where that is not known. The place counts as exact: forces of dampers are Σ b j jᵀ with directions j of the place, and one a rounding away has the same
+    /// weak and hard parts in directions a rounding away.
+    pub(super) fn damping_below(&self, damping: &[f64], place: &Place) -> Option<Vec<f64>> {
+        let n = self.names.len();
+        let here = |symbol: SymbolId| {
+            let at = self.linear.coordinates.iter().position(|c| c[0] == symbol).filter(|_| place.below.is_empty())?;
+            place.q.get(at).copied().filter(|_| at < n)
+        };
+        let fine = self.doubles_with(self.linear.damping.entries(), place, &here)?;
+        let low: Vec<f64> = fine.iter().zip(damping).map(|(fine, single)| fine.less(Double::from(*single)).round()).collect();
+        Some(if has_weak_damper(damping, &low, n) { low } else { Vec::new() })
     }
 
     /// Expressions of [`Linear::graph`] at a place of rest in twice the digits; none where one hangs on what is known in single digits only.
@@ -73,6 +87,12 @@ impl LinearMachine {
         let values = self.doubles(&list, &place)?;
         let slopes = values[n..].iter().map(|c| c.negated()).collect();
         Some(fine::Rows { values: values[..n].to_vec(), slopes })
+    }
+
+    /// Expressions of the graph at a place of rest of the only coordinate; none where they hang on what is known in single digits only.
+    pub fn series_at(&self, list: &[Expr], q: Double) -> Option<Vec<Double>> {
+        let [high, low] = q.parts();
+        self.doubles(list, &Place { below: vec![low], ..Place::rest(&[high]) })
     }
 
     /// A place at rest with the digits below its own, where weak springs stand beside hard ones.

@@ -1,4 +1,4 @@
-//! Weak springs beside hard ones: coordinates in which neither hides the other.
+//! Weak springs and dampers beside hard ones: coordinates in which neither hides the other.
 //!
 //! A spring of 10⁻² N/m beside one of 10¹² N/m lies below the last digit of their sum, and no study can find it there. The sum itself is a formula: where it is
 //! one of numbers alone, it is evaluated in twice the digits, C = C₁ + C₂. Then C = L D Lᵀ is eliminated in twice the digits, the pivot that has kept the largest
@@ -10,6 +10,9 @@
 //!
 //! A pivot below 10⁻²⁸ of its terms is zero: nothing restores that motion. The free motions are made orthogonal to the others in M, so that these keep a
 //! stiffness that is positive definite.
+//!
+//! Dampers are the same: B = L D Lᵀ of its symmetric part, where it is B that hides a weak part and not C. Motions that nothing resists need no more than that their
+//! pivot is zero.
 //!
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, ch. 10; J. Barlow, J. Demmel, Computing accurate eigensystems of scaled diagonally
 //! dominant matrices, SIAM J. Numer. Anal. 27 (1990).
@@ -32,6 +35,17 @@ pub struct Graded {
     pub basis: Vec<Double>,
     /// In the coordinates y.
     pub matrices: Matrices,
+    /// Which matrix is diagonal in them.
+    pub by: By,
+}
+
+/// What the coordinates stand apart for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// C.
+    Stiffness,
+    /// B, but for gyroscopic forces.
+    Damping,
 }
 
 /// Pivots and L⁻ᵀ, in the order of the coordinates.
@@ -41,15 +55,30 @@ struct Eliminated {
 }
 
 impl Matrices {
-    /// C in twice the digits.
+    /// C in twice the digits, as far as they are known.
     fn fine(&self) -> Vec<Double> {
-        self.stiffness.iter().zip(&self.below).map(|(high, low)| Double::of(*high, *low)).collect()
+        both(&self.stiffness, &self.below)
+    }
+
+    /// B in twice the digits, as far as they are known.
+    pub fn fine_damping(&self) -> Vec<Double> {
+        both(&self.damping, &self.damping_below)
+    }
+
+    /// Whether dampers take energy in every motion, or in none give any: B without a negative direction.
+    pub fn calm(&self) -> bool {
+        let n = self.n;
+        let (damping, _) = parts(&self.damping, n);
+        if !self.damping_below.is_empty() {
+            return eliminated(&even(&self.fine_damping(), n), n).is_some_and(|found| found.pivots.iter().all(|d| d.round() >= 0.0));
+        }
+        damping.iter().all(|b| *b == 0.0) || positive_definite(&damping, n) != Some(false)
     }
 
     /// Whether C is positive definite (its symmetric part is); none where it is singular.
     pub fn definite(&self) -> Option<bool> {
         let n = self.n;
-        match self.graded() {
+        match self.by_stiffness() {
             // a diagonal says it entry by entry
             Some(Graded { matrices, .. }) => {
                 let own = || (0..n).map(|i| matrices.stiffness[i * n + i]);
@@ -62,16 +91,61 @@ impl Matrices {
     /// Whether single numbers leave less than six digits of a weak spring that twice the digits know.
     pub fn loses(&self) -> bool {
         let n = self.n;
-        if self.below.is_empty() {
-            return false;
-        }
-        let size = |i: usize| self.stiffness[i * n + i].abs();
-        let weak = |found: Eliminated| (0..n).any(|i| !found.pivots[i].is_zero() && found.pivots[i].round().abs() <= LOST * size(i));
-        eliminated(&self.fine(), n).is_some_and(weak)
+        !self.below.is_empty() && weak(&self.fine(), n, LOST)
+            || !self.damping_below.is_empty() && weak(&even(&self.fine_damping(), n), n, LOST)
     }
 
-    /// The same machine in coordinates in which weak and hard springs stand apart; none where single numbers hold both, or where what is hidden is not known.
+    /// The same machine in coordinates in which weak and hard springs, or weak and hard dampers, stand apart; none where single numbers hold both, or where what is
+    /// hidden is not known.
     pub fn graded(&self) -> Option<Graded> {
+        self.by_stiffness().or_else(|| self.by_damping())
+    }
+
+    /// By the dampers.
+    fn by_damping(&self) -> Option<Graded> {
+        let n = self.n;
+        if self.damping_below.is_empty() || !hides(&parts(&self.damping, n).0, n) {
+            return None;
+        }
+        let whole = self.fine_damping();
+        let b = even(&whole, n);
+        let Eliminated { pivots, basis } = eliminated(&b, n)?;
+        // motions that nothing resists hide nothing
+        if (0..n).all(|i| pivots[i].is_zero() || pivots[i].round().abs() > PLAIN * b[i * n + i].round().abs()) {
+            return None;
+        }
+        let turning: Vec<Double> = whole.iter().zip(&b).map(|(a, even)| a.less(*even)).collect();
+        let mut damping: Vec<f64> = congruence(&basis, &turning, n).iter().map(|v| v.round()).collect();
+        (0..n).for_each(|i| damping[i * n + i] = pivots[i].round());
+        let matrices = Matrices { damping, damping_below: vec![0.0; n * n], ..self.within(&basis) };
+        Some(Graded { matrices, basis, by: By::Damping })
+    }
+
+    /// In coordinates of these columns.
+    fn within(&self, basis: &[Double]) -> Matrices {
+        let n = self.n;
+        let vector = |v: &[f64]| -> Vec<f64> {
+            (0..n).map(|k| (0..n).fold(Double::default(), |sum, i| sum.add_times(v[i], basis[i * n + k])).round()).collect()
+        };
+        let square = |a: &[Double]| congruence(basis, a, n);
+        let rounded = |a: &[Double]| square(a).iter().map(|v| v.round()).collect::<Vec<f64>>();
+        let (damping, low): (Vec<f64>, Vec<f64>) = square(&self.fine_damping()).iter().map(|v| v.parts()).map(|[a, b]| (a, b)).unzip();
+        Matrices {
+            n,
+            mass: rounded(&both(&self.mass, &[])),
+            damping,
+            damping_below: if self.damping_below.is_empty() { Vec::new() } else { low },
+            damping_open: self.damping_open,
+            stiffness: rounded(&self.fine()),
+            force: vector(&self.force),
+            loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
+            shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
+            ..Matrices::default()
+        }
+    }
+
+    /// By the springs.
+    fn by_stiffness(&self) -> Option<Graded> {
         let n = self.n;
         if self.below.is_empty() || !hides(&self.stiffness, n) {
             return None;
@@ -91,27 +165,36 @@ impl Matrices {
         let mass: Vec<Double> = self.mass.iter().map(|v| Double::from(*v)).collect();
         part(&mut basis, &mass, &free)?;
         level(&mut basis, &mut pivots);
-        let square = |a: &[f64]| -> Vec<f64> { congruence(&basis, &a.iter().map(|v| Double::from(*v)).collect::<Vec<_>>(), n) };
-        let mut mass = square(&self.mass);
+        let mut matrices = self.within(&basis);
         for p in (0..n * n).filter(|p| free[p / n] != free[p % n]) {
-            mass[p] = 0.0;
+            matrices.mass[p] = 0.0;
         }
         let diagonal = |p: usize| if p / n == p % n { pivots[p / n].round() } else { 0.0 };
-        let vector = |v: &[f64]| -> Vec<f64> {
-            (0..n).map(|k| (0..n).fold(Double::default(), |sum, i| sum.add_times(v[i], basis[i * n + k])).round()).collect()
-        };
-        let matrices = Matrices {
-            n,
-            mass,
-            damping: square(&self.damping),
-            stiffness: (0..n * n).map(diagonal).collect(),
-            force: vector(&self.force),
-            loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
-            shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
-            ..Matrices::default()
-        };
-        Some(Graded { basis, matrices })
+        matrices.stiffness = (0..n * n).map(diagonal).collect();
+        Some(Graded { basis, matrices, by: By::Stiffness })
     }
+}
+
+/// Whether elimination leaves a pivot of at most this share of its diagonal that is more than nothing.
+fn weak(a: &[Double], n: usize, share: f64) -> bool {
+    let size = |i: usize| a[i * n + i].round().abs();
+    eliminated(a, n).is_some_and(|e| (0..n).any(|i| !e.pivots[i].is_zero() && e.pivots[i].round().abs() <= share * size(i)))
+}
+
+/// Whether a weak damper stands beside a hard one in B of these two parts.
+pub(super) fn has_weak_damper(high: &[f64], low: &[f64], n: usize) -> bool {
+    weak(&even(&both(high, low), n), n, PLAIN)
+}
+
+/// A matrix in twice the digits, as far as they are known.
+fn both(high: &[f64], low: &[f64]) -> Vec<Double> {
+    high.iter().enumerate().map(|(p, high)| Double::of(*high, low.get(p).copied().unwrap_or(0.0))).collect()
+}
+
+/// (A + Aᵀ)/2.
+fn even(a: &[Double], n: usize) -> Vec<Double> {
+    let half = Double::from(0.5);
+    (0..n * n).map(|p| a[p].sum(a[(p % n) * n + p / n]).times(half)).collect()
 }
 
 /// Whether elimination in single numbers leaves a pivot six digits and more below its diagonal, the largest share first.
@@ -221,13 +304,13 @@ impl Graded {
     }
 }
 
-/// Zᵀ A Z in single numbers.
-fn congruence(basis: &[Double], a: &[Double], n: usize) -> Vec<f64> {
+/// Zᵀ A Z.
+fn congruence(basis: &[Double], a: &[Double], n: usize) -> Vec<Double> {
     let product = |left: &dyn Fn(usize, usize) -> Double, right: &[Double]| -> Vec<Double> {
         (0..n * n).map(|p| (0..n).fold(Double::default(), |sum, k| sum.plus(left(p / n, k), right[k * n + p % n]))).collect()
     };
     let az = product(&|i, k| a[i * n + k], basis);
-    product(&|i, k| basis[k * n + i], &az).iter().map(|v| v.round()).collect()
+    product(&|i, k| basis[k * n + i], &az)
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use symbolic::{Equations, Expr, Linear, SymbolId};
 use words::Text;
 
 use super::graded::hides;
-use super::matrices::{Harmonic, Matrices, largest, settle};
+use super::matrices::{Harmonic, Matrices, largest, parts, settle};
 use super::sought::Seeking;
 use crate::naming::notation;
 use crate::rest::fine::Sought;
@@ -269,6 +269,7 @@ impl LinearMachine {
         let (loads, shaped) = rest.split_at((2 * n + 1) * self.linear.loads.len());
         let shaped = self.linear.shaped.iter().zip(shaped.chunks_exact(n.max(1))).map(|((form, _), f)| (*form, f.to_vec()));
         let loads = loads.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
+        let low = if hides(&parts(damping, n).0, n) { self.damping_below(damping, place) } else { Some(Vec::new()) };
         let matrices = Matrices {
             n,
             jacobian: jacobian.to_vec(),
@@ -280,6 +281,8 @@ impl LinearMachine {
             damping: damping.to_vec(),
             stiffness: stiffness.to_vec(),
             below: if hides(stiffness, n) { self.below(stiffness, place).unwrap_or_default() } else { Vec::new() },
+            damping_open: low.is_none(),
+            damping_below: low.unwrap_or_default(),
             force: force.to_vec(),
         };
         let mut full = Full { matrices, remainders: remainders.to_vec(), reach: reach.to_vec() };

@@ -17,6 +17,10 @@ pub struct Matrices {
     pub stiffness: Vec<f64>,
     /// What C has below its last digits, row by row as C; empty where that is not known, for formulas of places and of more than the four operations.
     pub below: Vec<f64>,
+    /// The same of B where a weak damper lies there beside a hard one; else empty.
+    pub damping_below: Vec<f64>,
+    /// Whether a weak damper may lie there and nobody knows: B hangs on what is known in single digits only.
+    pub damping_open: bool,
     /// Mean force at the state: zero at an equilibrium.
     pub force: Vec<f64>,
     /// Harmonic loads.
@@ -69,6 +73,25 @@ fn absolute(a: &[f64], z: &[f64], k: usize) -> Vec<f64> {
     (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k].abs() * az[i * k + p % k]).sum()).collect()
 }
 
+/// Zᵀ A Z and what it has below its last digits; sums of which only rounding is left are zero.
+fn fine_reduced((high, low): (&[f64], &[f64]), z: &[f64], k: usize) -> (Vec<f64>, Vec<f64>) {
+    let n = z.len() / k.max(1);
+    let az: Vec<Double> = (0..n * k)
+        .map(|p| {
+            (0..n).fold(Double::default(), |sum, j| {
+                let (entry, z) = ((p / k) * n + j, z[j * k + p % k]);
+                sum.add(high[entry], z).add(low[entry], z)
+            })
+        })
+        .collect();
+    let sums = (0..k * k).map(|p| (0..n).fold(Double::default(), |sum, i| sum.add_times(z[i * k + p / k], az[i * k + p % k])));
+    let terms = absolute(high, z, k);
+    sums.zip(terms)
+        .map(|(v, t)| if v.round().abs() <= FINE * t { Double::default() } else { v }.parts())
+        .map(|[high, low]| (high, low))
+        .unzip()
+}
+
 impl Matrices {
     /// The same in coordinates y with q = Z y: Zᵀ M Z and so on; `z` is row-major n x k. For constraints Z is an orthonormal basis of the
     /// motions they allow. Stiffness and resistance of which the sums leave only rounding are zero: a free motion along a condition stays one.
@@ -82,17 +105,21 @@ impl Matrices {
             let (sums, terms) = (square(a), absolute(a, z, k));
             sums.iter().zip(terms).map(|(v, t)| if v.abs() <= CANCELLED * t { 0.0 } else { *v }).collect()
         };
-        let (stiffness, below) = match self.below.is_empty() {
-            true => (settled(&self.stiffness), Vec::new()),
-            false => self.fine_reduced(z, k),
+        let both = |high: &[f64], low: &[f64]| match low.is_empty() {
+            true => (settled(high), Vec::new()),
+            false => fine_reduced((high, low), z, k),
         };
+        let (stiffness, below) = both(&self.stiffness, &self.below);
+        let (damping, damping_below) = both(&self.damping, &self.damping_below);
         let vector = |v: &[f64]| -> Vec<f64> { (0..k).map(|c| (0..n).map(|i| z[i * k + c] * v[i]).sum()).collect() };
         Matrices {
             n: k,
             mass: square(&self.mass),
-            damping: settled(&self.damping),
+            damping,
             stiffness,
             below,
+            damping_below,
+            damping_open: self.damping_open,
             force: vector(&self.force),
             loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
             shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
@@ -100,25 +127,6 @@ impl Matrices {
             drift: Vec::new(),
             on_rates: Vec::new(),
         }
-    }
-
-    /// Zᵀ C Z and what it has below its last digits; sums of which only rounding is left are zero.
-    fn fine_reduced(&self, z: &[f64], k: usize) -> (Vec<f64>, Vec<f64>) {
-        let n = self.n;
-        let cz: Vec<Double> = (0..n * k)
-            .map(|p| {
-                (0..n).fold(Double::default(), |sum, j| {
-                    let (entry, z) = ((p / k) * n + j, z[j * k + p % k]);
-                    sum.add(self.stiffness[entry], z).add(self.below[entry], z)
-                })
-            })
-            .collect();
-        let sums = (0..k * k).map(|p| (0..n).fold(Double::default(), |sum, i| sum.add_times(z[i * k + p / k], cz[i * k + p % k])));
-        let terms = absolute(&self.stiffness, z, k);
-        sums.zip(terms)
-            .map(|(v, t)| if v.round().abs() <= FINE * t { Double::default() } else { v }.parts())
-            .map(|[high, low]| (high, low))
-            .unzip()
     }
 
     /// A basis of the motions that the conditions allow, row-major n x k, with k; none without conditions.

@@ -172,8 +172,9 @@ pub fn running<S: System>(system: &mut S, start: &[f64], options: &Cycle) -> Res
     let found = extremes.found();
     let (least, greatest) = found.first().map_or((f64::NAN, f64::NAN), |e| (e.min, e.max));
     let begins = steps.first().map_or(f64::NAN, |(step, _)| step.start_value(rate));
-    // as the motion leads it, the start is as given but for rounding
-    let struck = Some(begins).filter(|begins| (begins - start[rate]).abs() > ROUNDING * start[rate].abs());
+    // as the motion leads it, the start is as given but for rounding: a shaft that turns has the rate asked for, see `turn`
+    let given = if start[rate] == 0.0 { 0.0 } else { options.rate };
+    let struck = Some(begins).filter(|begins| (begins - given).abs() > ROUNDING * given.abs());
     Ok(Running { greatest, least, mean: options.range / duration, duration, struck })
 }
 

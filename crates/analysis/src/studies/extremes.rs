@@ -1,4 +1,5 @@
-//! Resonances and antiresonances of a response, with what absorbs.
+//! Resonances and antiresonances of a response, with what absorbs. Peaks of oscillations with so little damping that no grid of frequencies shows them are looked for over
+//! the distance from the root.
 
 use crate::Fault;
 use crate::peaks::{self, Peak};
@@ -48,6 +49,16 @@ const STILL: f64 = 1e-9;
 const SHARE: f64 = 0.05;
 /// How much larger than beside it a value is where it is infinite: a change of sign through zero is smaller, and the place is known to rounding.
 const ENDLESS: f64 = 1e6;
+/// Damping ratio below which peaks are looked for over the distance from the root: points of a grid stand no nearer to each other.
+const SHARP: f64 = 1e-6;
+/// Half-width of a peak, as a share of its frequency, below which frequencies themselves are too coarse.
+const NARROWEST: f64 = 1e-12;
+/// Share of the narrowest half-width within which two frequencies are the same one found twice: points about a peak stand a tenth of it apart.
+const TWICE: f64 = 1e-3;
+/// Places that are looked at, in half-widths of the peak; those beside a wide peak, see `dense`, with the place itself.
+const LOOKED: [f64; 10] = [0.0, 0.1, 0.3, 0.6, 1.0, 2.0, 4.0, 10.0, 30.0, 100.0];
+/// A root of a machine that follows the frequency is its own where it is as near as this.
+const OWN: f64 = 1e-6;
 /// Points between two natural frequencies.
 const BETWEEN: usize = 60;
 /// Points of the grid at most at which modes are asked for: an eigenproblem each, and natural frequencies are smooth beside amplitudes.
@@ -66,10 +77,11 @@ pub fn extremes(
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok((high, low)) };
     let mut natural: Vec<Mode> = modes.modes.clone();
     natural.extend(critical(forced, points)?);
-    let omegas = dense(&natural, first.omega, last.omega, points);
+    let roots = roots(forced, &natural, [first.omega, last.omega])?;
+    let omegas = dense((&natural, &roots), first.omega, last.omega, points);
     let dense = omegas.iter().map(|w| forced.at(*w)).collect::<Result<Vec<Point>, Fault>>()?;
     for k in 0..outputs {
-        let mut search = Search { forced, modes, natural: &natural, k, omegas: &omegas, points: &dense };
+        let mut search = Search { forced, modes, natural: &natural, sharp_roots: &roots, k, omegas: &omegas, points: &dense };
         high.extend(search.resonances()?);
         low.extend(search.antiresonances()?);
     }
@@ -77,12 +89,13 @@ pub fn extremes(
 }
 
 /// The grid, points between natural frequencies, and points about each.
-fn dense(modes: &[Mode], from: f64, to: f64, points: &[Point]) -> Vec<f64> {
+fn dense((modes, roots): (&[Mode], &[Root]), from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     let mut marks: Vec<f64> = modes.iter().filter(|m| m.kind == Kind::Oscillation && m.damped > 0.0).map(|m| m.damped).collect();
     let mut list: Vec<f64> = points.iter().map(|p| p.omega).collect();
     for m in modes.iter().filter(|m| m.kind == Kind::Oscillation) {
-        // without damping points stand as near as those of a damping of a millionth
-        let half = m.omega * m.ratio.abs().max(1e-6);
+        // without damping points stand as near as those of a damping of a millionth, and where the peak is looked for from its root
+        let apart = m.root.0 == 0.0 || roots.iter().any(|r| r.reaches(m.damped));
+        let half = m.omega * m.ratio.abs().max(if apart { SHARP } else { NARROWEST });
         for s in [0.1, 0.3, 0.6, 1.0, 2.0, 4.0, 10.0, 30.0, 100.0] {
             list.extend([m.damped - s * half, m.damped + s * half]);
         }
@@ -94,8 +107,8 @@ fn dense(modes: &[Mode], from: f64, to: f64, points: &[Point]) -> Vec<f64> {
     }
     list.retain(|w| (from..=to).contains(w) && *w > 0.0);
     list.sort_by(f64::total_cmp);
-    // nine digits: the same frequency found twice
-    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
+    let narrowest = modes.iter().map(|m| m.ratio.abs()).filter(|r| *r > 0.0).fold(SHARP, f64::min).max(NARROWEST);
+    list.dedup_by(|a, b| (*a - *b).abs() <= TWICE * narrowest * b.abs());
     list
 }
 
@@ -130,12 +143,64 @@ fn oscillations(forced: &mut Forced, omega: f64) -> Result<Vec<Mode>, Fault> {
     Ok(list)
 }
 
+/// A root by which peaks are looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Root {
+    /// λ.
+    root: Complex,
+    /// Its mode.
+    mode: usize,
+}
+
+impl Root {
+    /// Half the width of its peak.
+    fn half(&self) -> f64 {
+        self.root.0.abs()
+    }
+
+    /// Whether a frequency is among those that are looked at from it.
+    fn reaches(&self, omega: f64) -> bool {
+        (omega - self.root.1).abs() <= 2.0 * LOOKED[LOOKED.len() - 1] * SHARP * self.root.1
+    }
+}
+
+/// Simple roots with so little damping that peaks are looked for over the distance from them.
+///
+/// *Errors*: S031 of a machine that follows the frequency.
+fn roots(forced: &mut Forced, natural: &[Mode], [from, to]: [f64; 2]) -> Result<Vec<Root>, Fault> {
+    let weak = |m: &&Mode| m.kind == Kind::Oscillation && m.root.0 != 0.0 && m.ratio.abs() < SHARP;
+    let mut found: Vec<Root> = Vec::new();
+    for (i, mode) in natural.iter().enumerate().filter(|(_, m)| weak(m) && (from..=to).contains(&m.damped)) {
+        let own = match forced.is_followed() {
+            true => nearest(&forced.modes(mode.damped)?.modes, mode.damped),
+            false => Some((i, mode.root)),
+        };
+        let Some((mode, root)) = own.filter(|(_, root)| (root.1 - mode.damped).abs() <= OWN * mode.damped && root.0 != 0.0) else {
+            continue;
+        };
+        let root = Root { root, mode };
+        let known = found.iter().any(|f| f.root == root.root);
+        if !known && forced.is_simple(root.root)? {
+            found.push(root);
+        }
+    }
+    Ok(found)
+}
+
+fn nearest(modes: &[Mode], omega: f64) -> Option<(usize, Complex)> {
+    let all = modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation);
+    let away = |m: &Mode| (m.damped - omega).abs();
+    all.min_by(|a, b| away(a.1).total_cmp(&away(b.1))).map(|(i, m)| (i, m.root))
+}
+
 struct Search<'a, 'm> {
     forced: &'a mut Forced<'m>,
     /// Of the machine with the numbers of the file.
     modes: &'a Modes,
     /// With those at critical speeds, where the machine follows the frequency.
     natural: &'a [Mode],
+    /// Roots with so little damping that no grid shows their peaks.
+    sharp_roots: &'a [Root],
     k: usize,
     omegas: &'a [f64],
     points: &'a [Point],
@@ -171,9 +236,12 @@ impl Search<'_, '_> {
         // modes without damping beside damped ones have poles too
         let mut found = self.poles(from, to)?;
         let poles: Vec<f64> = found.iter().map(|r| r.omega).collect();
+        found.extend(self.sharp()?);
         for c in peaks::candidates(&powers, 1.0) {
             let (low, high) = (self.omegas[c - 1], self.omegas[c + 1]);
-            if poles.iter().any(|w| (low..=high).contains(w)) {
+            // from their roots these have been looked at
+            let seen = |r: &Root| r.reaches(self.omegas[c]) || (low..=high).contains(&r.root.1);
+            if poles.iter().any(|w| (low..=high).contains(w)) || self.sharp_roots.iter().any(seen) {
                 continue;
             }
             let peak = peaks::refine(&mut |w| square(self.value(w)), low, high, 1.0);
@@ -239,7 +307,7 @@ impl Search<'_, '_> {
         let (z, still) = (point.outputs[self.k], magnitude(point.still[self.k]));
         let resounding = self.resounding(peak.omega)?;
         let (mode, quality) = (resounding.map(|(i, _)| i), resounding.map_or(f64::NAN, |(_, ratio)| 0.5 / ratio));
-        let half_power = [self.half(&peak, -1.0), self.half(&peak, 1.0)];
+        let half_power = [-1.0, 1.0].map(|side| self.half((&peak, side), 0.0, &|search, omega| square(search.value(omega))));
         let gain = if still > 0.0 { magnitude(z) / still } else { f64::NAN };
         Ok(Resonance { output: self.k, omega: peak.omega, amplitude: magnitude(z), phase: phase(z), gain, mode, quality, half_power })
     }
@@ -252,21 +320,21 @@ impl Search<'_, '_> {
         Ok(candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map(|(i, m)| (i, m.ratio)))
     }
 
-    /// Where the amplitude has fallen to 1/√2 of the peak, beside it.
-    fn half(&mut self, peak: &Peak, side: f64) -> f64 {
+    /// Where the amplitude has fallen to 1/√2 of the peak, beside it and above the least place.
+    fn half(&mut self, (peak, side): (&Peak, f64), least: f64, power_at: &dyn Fn(&mut Self, f64) -> f64) -> f64 {
         let level = 0.5 * peak.amplitude * peak.amplitude;
         let mut inner = peak.omega;
         for step in 1..=200 {
             let outer = peak.omega + side * 0.1 * peak.width * f64::from(step);
-            if outer <= 0.0 {
+            if outer <= least {
                 return f64::NAN;
             }
-            let power = square(self.value(outer));
+            let power = power_at(self, outer);
             if power > 1.0001 * peak.amplitude * peak.amplitude {
                 return f64::NAN;
             }
             if power < level {
-                let mut above = |w: f64| square(self.value(w)) - level;
+                let mut above = |w: f64| power_at(self, w) - level;
                 return if side > 0.0 { peaks::zero(&mut above, inner, outer) } else { peaks::zero(&mut |w| -above(w), outer, inner) };
             }
             inner = outer;
@@ -325,6 +393,46 @@ impl Search<'_, '_> {
         let mut absorbs: Vec<(usize, f64)> = (0..n).map(|i| (i, row(i) / total)).filter(|(_, s)| *s > SHARE).collect();
         absorbs.arrange_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
         Ok(Antiresonance { output: self.k, omega, amplitude, exact: false, absorbs })
+    }
+}
+
+impl Search<'_, '_> {
+    fn beside(&mut self, root: Complex, offset: f64) -> Complex {
+        let k = self.k;
+        self.forced.beside(root, offset).map_or((f64::NAN, f64::NAN), |p| p.outputs[k])
+    }
+
+    /// Peaks beside the roots.
+    fn sharp(&mut self) -> Result<Vec<Resonance>, Fault> {
+        let mut found = Vec::new();
+        for own in self.sharp_roots {
+            let half = own.half();
+            let offsets: Vec<f64> = LOOKED[1..].iter().rev().map(|s| -s).chain(LOOKED).map(|s| s * half).collect();
+            let powers: Vec<f64> = offsets.iter().map(|offset| square(self.beside(own.root, *offset))).collect();
+            for c in peaks::candidates(&powers, 1.0) {
+                let peak = peaks::refine(&mut |offset| square(self.beside(own.root, offset)), offsets[c - 1], offsets[c + 1], 1.0);
+                found.push(self.sharp_resonance(own, peak)?);
+            }
+        }
+        Ok(found)
+    }
+
+    fn sharp_resonance(&mut self, own: &Root, peak: Peak) -> Result<Resonance, Fault> {
+        let point = self.forced.beside(own.root, peak.omega)?;
+        let (z, still) = (point.outputs[self.k], magnitude(point.still[self.k]));
+        let half_power = [-1.0, 1.0]
+            .map(|side| own.root.1 + self.half((&peak, side), f64::NEG_INFINITY, &|search, at| square(search.beside(own.root, at))));
+        Ok(Resonance {
+            output: self.k,
+            omega: point.omega,
+            amplitude: magnitude(z),
+            phase: phase(z),
+            gain: if still > 0.0 { magnitude(z) / still } else { f64::NAN },
+            mode: Some(own.mode),
+            // ζ = -Re λ/|λ|, and |λ| is Im λ but for a square of ζ
+            quality: -0.5 * own.root.1 / own.root.0,
+            half_power,
+        })
     }
 }
 

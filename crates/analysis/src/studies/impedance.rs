@@ -12,6 +12,7 @@ use crate::linear::{Graded, Matrices};
 use crate::studies::amplitudes::{Amplitudes, SINGULAR, cleared, size, turned};
 use crate::studies::free_motion;
 use crate::studies::shapes::Complex;
+use crate::studies::sharp::{self, Spot};
 use algebra::double::Double;
 use algebra::elementary;
 use algebra::lu::Lu;
@@ -28,6 +29,22 @@ const BASIS: f64 = 8.0 * f64::EPSILON;
 
 /// The amplitudes that a load F exp(iωt) forces; conditions of connections reduce the problem to the motions they allow.
 pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
+    solve_at(m, Spot::At(omega), load)
+}
+
+/// Whether distances from a root can be counted: it is a simple one, and damped.
+pub fn is_simple(m: &Matrices, root: Complex) -> bool {
+    match (m.drift.is_empty(), m.allowed(), m.graded()) {
+        (false, ..) => false,
+        (true, Some((z, k)), _) => is_simple(&m.reduced(&z, k), root),
+        (true, None, Some(graded)) => is_simple(&graded.matrices, root),
+        (true, None, None) => sharp::is_simple(m, root),
+    }
+}
+
+/// The same also at a distance from a root.
+pub fn solve_at(m: &Matrices, spot: Spot, load: &[Complex]) -> Amplitudes {
+    let omega = spot.omega();
     if !m.drift.is_empty() {
         // conditions on rates are solved in single numbers
         if m.loses() {
@@ -40,7 +57,7 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
         let idle = BASIS * load.iter().map(|f| size(*f)).sum::<f64>();
         let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));
         let onto = |c: usize| Some(onto(c)).filter(|f| size(*f) > idle).unwrap_or_default();
-        let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
+        let y = solve_at(&m.reduced(&z, k), spot, &(0..k).map(onto).collect::<Vec<_>>());
         // the basis is known to a few roundings of its unit vectors: what is below them is nothing
         let back = |y: &[Complex]| -> Vec<Complex> {
             let rounding = BASIS * y.iter().map(|v| size(*v)).sum::<f64>();
@@ -55,7 +72,10 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     }
     if let Some(graded) = m.graded() {
         let basis = graded.rounded();
-        return apart(&graded, &basis, solve(&graded.matrices, omega, &onto(&basis, load)));
+        return apart(&graded, &basis, solve_at(&graded.matrices, spot, &onto(&basis, load)));
+    }
+    if let Some(found) = matches!(spot, Spot::Beside { .. }).then(|| sharp::amplitudes(m, spot, load)).flatten() {
+        return found;
     }
     if let Some(found) = (omega > 0.0).then(|| free_motion::apart(m, omega, load)).flatten() {
         return found;
@@ -64,6 +84,10 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     let right = system.load(load);
     if let Some((x, doubt)) = system.regular(&right, omega) {
         return Amplitudes { regular: system.unscaled(&x), doubt, ..Amplitudes::default() };
+    }
+    // the damping of a free oscillation next to ω may lie below the rounding of ω² M
+    if let Some(found) = (omega > 0.0).then(|| sharp::amplitudes(m, spot, load)).flatten() {
+        return found;
     }
     let at_rest = || free_motion::at_zero([&m.stiffness, &m.damping, &m.mass], m.n, free_motion::pace(m), load);
     let found = (omega == 0.0).then(at_rest).flatten().unwrap_or_else(|| system.limit(&right));

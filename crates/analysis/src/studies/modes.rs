@@ -34,6 +34,8 @@ use algebra::sparse::Sparse;
 const CANCELLED: f64 = 1e-12;
 /// Force of a free motion beyond this share of its terms is more than rounding.
 const WEAK: f64 = 8.0 * f64::EPSILON;
+/// Share of a root beyond which a last digit of B must not move it: below that no oscillation counts as growing or dying away.
+const UNSURE: f64 = SPLIT;
 /// Coupling of undamped shapes by damping that counts as none.
 const UNCOUPLED: f64 = 1e-10;
 /// Distance of eigenvalues, relative, from which on a shape is its own: a step of inverse iteration leaves rounding over it of the others.
@@ -109,7 +111,8 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
     let kind = match () {
         () if turns || follows => Damping::General,
         () if largest(&damping) == 0.0 => Damping::None,
-        () if uncoupled(&modal, n) => Damping::Classical,
+        // beside a hard damper everything that couples a weak one is small
+        () if system.damping_below.is_empty() && uncoupled(&modal, n) => Damping::Classical,
         () => Damping::General,
     };
     let (mut list, unclear): (Vec<Mode>, Option<Text>) = match kind {
@@ -119,9 +122,11 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
     if largest(&damping) == 0.0 && !follows {
         list.iter_mut().for_each(conservative);
     }
-    let semidefinite = |a: &[f64]| positive_definite(a, n) != Some(false);
-    if !follows && semidefinite(&damping) && semidefinite(&stiffness) {
+    if !follows && system.calm() && positive_definite(&stiffness, n) != Some(false) {
         list.iter_mut().for_each(resisted);
+    }
+    if system.damping_open && list.iter().any(|mode| hangs_on_rounding(system, mode)) {
+        return Err(lost());
     }
     let orthogonal = (kind != Damping::General).then(|| orthogonality(system, &stiffness, &list));
     if kind == Damping::Classical {
@@ -200,6 +205,20 @@ fn weak(shape: &[f64], stiffness: &[f64]) -> bool {
     let size = |i: usize| (0..n).map(|j| (stiffness[i * n + j] * shape[j]).abs()).sum::<f64>();
     let largest = (0..n).map(size).fold(0.0, f64::max);
     forces.iter().any(|f| f.abs() > WEAK * largest)
+}
+
+/// Whether a last digit of B moves a root by more than [`UNSURE`] of it: δλ = -λ xᵀ δB x / xᵀ (2 λ M + B) x.
+fn hangs_on_rounding(system: &Matrices, mode: &Mode) -> bool {
+    let n = system.n;
+    let (mut moved, mut held) = (0.0, (0.0, 0.0));
+    for p in 0..n * n {
+        let (x, y) = (mode.shape[p / n], mode.shape[p % n]);
+        let both = (x.0 * y.0 - x.1 * y.1, x.0 * y.1 + x.1 * y.0);
+        let (re, im) = (2.0 * mode.root.0 * system.mass[p] + system.damping[p], 2.0 * mode.root.1 * system.mass[p]);
+        held = (held.0 + re * both.0 - im * both.1, held.1 + re * both.1 + im * both.0);
+        moved += (system.damping[p] * elementary::hypot(x.0, x.1) * elementary::hypot(y.0, y.1)).abs();
+    }
+    mode.root != (0.0, 0.0) && f64::EPSILON * moved > UNSURE * elementary::hypot(held.0, held.1)
 }
 
 fn uncoupled(modal: &[f64], n: usize) -> bool {

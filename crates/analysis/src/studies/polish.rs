@@ -23,9 +23,9 @@ const NEAR: f64 = 0.5;
 
 /// A complex number in twice the digits.
 #[derive(Clone, Copy, Default)]
-struct Fine {
-    re: Double,
-    im: Double,
+pub(super) struct Fine {
+    pub(super) re: Double,
+    pub(super) im: Double,
 }
 
 impl Fine {
@@ -33,7 +33,7 @@ impl Fine {
         Fine { re: z.0.into(), im: z.1.into() }
     }
 
-    fn round(self) -> Complex {
+    pub(super) fn round(self) -> Complex {
         (self.re.round(), self.im.round())
     }
 
@@ -57,6 +57,11 @@ impl Fine {
 ///
 /// Both are carried in twice the digits: a rounding of the shape alone changes the forces of strong dampers by more than all of those that hold a slow motion.
 pub(super) fn polish(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(Complex, Vec<Complex>)> {
+    polished(m, root, shape).map(|(root, shape)| (root.round(), shape))
+}
+
+/// The same with the root in twice the digits.
+pub(super) fn polished(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(Fine, Vec<Complex>)> {
     let n = m.n;
     let mut x: Vec<Fine> = shape.iter().map(|z| Fine::of(*z)).collect();
     let mut root_now = Fine::of(root);
@@ -82,7 +87,7 @@ pub(super) fn polish(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(
     }
     let found = root_now.round();
     let moved = elementary::hypot(found.0 - root.0, found.1 - root.1);
-    (moved <= NEAR * elementary::hypot(root.0, root.1)).then(|| (found, x.iter().map(|z| z.round()).collect()))
+    (moved <= NEAR * elementary::hypot(root.0, root.1)).then(|| (root_now, x.iter().map(|z| z.round()).collect()))
 }
 
 /// The system as a real one of twice the size: unknowns Re dx, Re dλ, Im dx, Im dλ.
@@ -91,6 +96,7 @@ fn bordered(m: &Matrices, root: Fine, x: &[Fine], first: &[Complex]) -> (Vec<f64
     let fine_square = Fine::default().plus(root, root);
     let (square, (re, im)) = (fine_square.round(), root.round());
     let size = 2 * n + 2;
+    let fine_damping = m.fine_damping();
     let mut matrix = vec![0.0; size * size];
     let mut right = vec![0.0; size];
     let mut put = |i: usize, j: usize, z: Complex| {
@@ -105,7 +111,8 @@ fn bordered(m: &Matrices, root: Fine, x: &[Fine], first: &[Complex]) -> (Vec<f64
             let p = i * n + j;
             let (mass, damping, stiffness) = (m.mass[p], m.damping[p], m.stiffness[p]);
             // the terms stay apart: strong ones cancel between columns, not within one entry
-            for a in [fine_square.times(mass), root.times(damping), Fine::of((stiffness, 0.0))] {
+            let dragged = Fine { re: root.re.times(fine_damping[p]), im: root.im.times(fine_damping[p]) };
+            for a in [fine_square.times(mass), dragged, Fine::of((stiffness, 0.0))] {
                 sum = sum.plus(a, *fine);
             }
             let z = fine.round();

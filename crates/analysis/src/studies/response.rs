@@ -27,10 +27,11 @@ use crate::fault::small::rounded_away;
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
 use crate::rest::search::no_equilibrium;
 use crate::studies::amplitudes::{Amplitudes, CANCELLED, Gain};
-use crate::studies::impedance::solve;
+use crate::studies::impedance::{is_simple, solve, solve_at};
 use crate::studies::modes::{Complex, Modes, Normalisation, modes};
 use crate::studies::rest::branch::{Beyond, Branch};
 use crate::studies::rest::contacts::Contacts;
+use crate::studies::sharp::Spot;
 use crate::waveform::LISTED;
 use words::digits::rounded;
 
@@ -353,12 +354,33 @@ impl<'m> Forced<'m> {
     ///
     /// *Errors*: formulas without a value at this frequency.
     pub fn at(&mut self, omega: f64) -> Result<Point, Fault> {
+        self.point(Spot::At(omega))
+    }
+
+    /// The same at a distance from the frequency of a root.
+    ///
+    /// *Errors*: as [`Forced::at`].
+    pub fn beside(&mut self, root: Complex, offset: f64) -> Result<Point, Fault> {
+        self.point(Spot::Beside { root, offset })
+    }
+
+    /// Whether a root of the chosen order is a simple one, from which distances can be counted.
+    ///
+    /// *Errors*: formulas without a value there.
+    pub fn is_simple(&mut self, root: Complex) -> Result<bool, Fault> {
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        let matrices = self.matrices(root.1 / order)?;
+        Ok(is_simple(&matrices, root))
+    }
+
+    fn point(&mut self, spot: Spot) -> Result<Point, Fault> {
+        let omega = spot.omega();
         let order = self.components.get(self.current).map_or(1.0, |c| c.order);
         let matrices = self.matrices(omega / order)?;
         let excitation = self.excitation(&matrices)?;
         let turn = |z: Complex| self.turned(z);
         let load: Vec<Complex> = self.load(&excitation, self.current, matrices.n).into_iter().map(turn).collect();
-        let (moving, still) = (solve(&matrices, omega, &load), self.still(&matrices, &load));
+        let (moving, still) = (solve_at(&matrices, spot, &load), self.still(&matrices, &load));
         if moving.doubt.is_nan() || still.doubt.is_nan() || still.doubt > DOUBT {
             return Err(hangs_on_rounding(omega));
         }

@@ -179,7 +179,7 @@ type Columns = Option<(Vec<f64>, usize)>;
 
 /// Coordinates in which weak springs do not vanish beside hard ones, as columns over all coordinates.
 fn graded(z: Columns, m: Matrices, full: usize) -> (Columns, Option<Vec<Double>>, Matrices) {
-    let Some(Graded { basis, matrices }) = m.graded() else { return (z, None, m) };
+    let Some(Graded { basis, matrices, .. }) = m.graded() else { return (z, None, m) };
     let k = m.n;
     let exact: Vec<Double> = match &z {
         None => basis,

@@ -10,7 +10,7 @@ mod calls;
 
 use super::kinematic::KinematicFunction;
 use super::lex::{Spanned, Token, tokens};
-use crate::units::{Quantity, Unit};
+use crate::units::{Dimension, Quantity, Unit};
 use std::ops::Range;
 use symbolic::{Function, Rational};
 use words::Notice;
@@ -83,6 +83,10 @@ impl Formula {
             Ast::Name { name, .. } => Some((name.as_str(), span)),
             _ => None,
         })
+    }
+    /// Whether all numbers with units are of dimensions that this allows.
+    pub(crate) fn has_units(&self, allowed: impl Fn(&Dimension) -> bool) -> bool {
+        self.nodes.iter().all(|(node, _)| if let Ast::Quantity(q) = node { allowed(&q.unit.dimension) } else { true })
     }
     /// The number it is, when it is one number without a unit and not zero.
     pub(crate) fn bare_number(&self) -> Option<&Rational> {

@@ -2,7 +2,7 @@
 
 use super::cover::{Cover, constant, parameter};
 use crate::fields;
-use crate::formula::{EntryKind, Kind, Plain, display, is_identifier};
+use crate::formula::{EntryKind, Formula, Kind, Plain, display, is_identifier};
 use crate::model::{AnswerDecl, AnswerUnit, AnswerValue, Tolerance};
 use crate::reader::{Fields, Raw, Reader, short, string, wrong_type};
 use crate::units::{Dimension, Unit, parse_number_or_quantity, parse_unit};
@@ -126,7 +126,8 @@ fn factor<'a>(reader: &mut Reader<'a>, raw: &Raw<'a>, kind: Kind, unit: &AnswerU
 /// A value in 1/s made of times and numbers alone is one over a period.
 fn plain(reader: &Reader, raw: &Raw) -> Plain {
     let of_times = |name: &str| matches!(reader.scope.get(name).map(|e| e.dimension), Some(Kind::Known(d)) if d.is_duration() || d.is_none() && !d.is_angular());
-    if raw.formula.as_ref().is_some_and(|f| f.names().all(|(name, _)| of_times(name))) { Plain::Periods } else { Plain::Doubtful }
+    let times = |f: &Formula| f.names().all(|(name, _)| of_times(name)) && f.has_units(Dimension::is_of_time);
+    if raw.formula.as_ref().is_some_and(times) { Plain::Periods } else { Plain::Doubtful }
 }
 
 /// `2 %`, `0,01 м`, 0.02.

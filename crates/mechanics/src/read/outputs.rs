@@ -3,7 +3,7 @@
 use super::order::topological;
 use super::parameters::{claim, cycle_fault};
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Kind, Plain, display};
+use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, Plain, display};
 use crate::model::{DisplayUnit, OutputDecl, Request, RequestKind};
 use crate::reader::{Checked, Fields, Raw, Reader, short};
 use crate::units::{Dimension, Unit, mismatch, si_label};
@@ -103,7 +103,9 @@ fn plain(reader: &Reader, raw: &Raw) -> Plain {
             || matches!(reader.scope.get(name).map(|e| e.dimension), Some(Kind::Known(d)) if d.is_duration() || d.is_none() && !d.is_angular())
     };
     let formula = raw.formula.as_ref();
-    let periods = formula.is_some_and(|f| !f.asks_the_machine() && f.names().all(|(name, _)| of_times(name)));
+    // sqrt(2000 [N/m]/0.5 [kg]) is no more one over a period than sqrt(c/m)
+    let times = |f: &Formula| f.names().all(|(name, _)| of_times(name)) && f.has_units(Dimension::is_of_time);
+    let periods = formula.is_some_and(|f| !f.asks_the_machine() && times(f));
     if periods { Plain::Periods } else { Plain::Doubtful }
 }
 

@@ -18,8 +18,8 @@ const MAX_VALUES: usize = 1_000_000;
 pub(super) struct Range {
     pub name: String,
     pub values: Vec<f64>,
-    /// Of the values with a unit; `None` when all are bare numbers, which are SI.
-    pub dimension: Option<Dimension>,
+    /// Of the values with a unit, each as written: how a turning is counted is a matter of each value. Empty when all are bare numbers, which are SI.
+    pub dimensions: Vec<Dimension>,
     /// The first value other than zero without a unit.
     bare: Option<String>,
     /// Where the name and the whole text stand, in bytes.
@@ -33,18 +33,18 @@ impl Range {
         if let (Some(unit), Some(number)) = (scaled, &self.bare) {
             return Err(super::parameters::without_unit(self.whole.clone(), (&self.name, unit), number));
         }
-        match self.dimension {
-            Some(d) if !d.same(wanted) => {
-                let (en, ru) = (
-                    format!("the values are {}, but {} is {}", si_label(&d), self.name, si_label(wanted)),
-                    format!("значения в {}, а {} — в {}", si_label_ru(&d), self.name, si_label_ru(wanted)),
-                );
-                Err(Notice::piece("M024", self.whole.clone(), en, ru))
-            }
-            Some(d) => match crate::units::in_field(&d, wanted, self.whole.clone()) {
-                Some(fault) => Err(Notice { severity: words::Severity::Error, ..fault }),
-                None => Ok(()),
-            },
+        if let Some(d) = self.dimensions.iter().find(|d| !d.same(wanted)) {
+            let (en, ru) = (
+                format!("the values are {}, but {} is {}", si_label(d), self.name, si_label(wanted)),
+                format!("значения в {}, а {} — в {}", si_label_ru(d), self.name, si_label_ru(wanted)),
+            );
+            return Err(Notice::piece("M024", self.whole.clone(), en, ru));
+        }
+        // one value counts periods where another counts radians: whatever is wanted, one of them is meant otherwise
+        let turning = self.dimensions.iter().find(|d| d.has_radians()).unwrap_or(wanted);
+        let in_field = |wanted: &Dimension| self.dimensions.iter().find_map(|d| crate::units::in_field(d, wanted, self.whole.clone()));
+        match in_field(wanted).or_else(|| in_field(turning)) {
+            Some(fault) => Err(Notice { severity: words::Severity::Error, ..fault }),
             None => Ok(()),
         }
     }
@@ -118,37 +118,36 @@ pub(super) fn parse(text: &str) -> Result<Range, Notice> {
         return Err(no_range(whole));
     }
     let items: Vec<&str> = inner.split(separator).map(str::trim).collect();
-    let (values, dimension) = match (kind, items.as_slice()) {
+    let mut dimensions = Vec::new();
+    let values = match (kind, items.as_slice()) {
         ("linspace", [from, to, count]) => {
-            let (ends, dimension) = two(from, to, &whole)?;
-            (evenly(ends, number_of(count, &whole)?), dimension)
+            let ends = two([from, to], &mut dimensions, &whole)?;
+            evenly(ends, number_of(count, &whole)?)
         }
         ("logspace", [from, to, count]) => {
-            let (ends, dimension) = two(from, to, &whole)?;
-            (by_factors(ends, number_of(count, &whole)?, &whole)?, dimension)
+            let ends = two([from, to], &mut dimensions, &whole)?;
+            by_factors(ends, number_of(count, &whole)?, &whole)?
         }
         ("uniform", [from, to, count, seed]) => {
-            let (ends, dimension) = two(from, to, &whole)?;
-            (uniform(ends, number_of(count, &whole)?, seed_of(seed, &whole)?), dimension)
+            let ends = two([from, to], &mut dimensions, &whole)?;
+            uniform(ends, number_of(count, &whole)?, seed_of(seed, &whole)?)
         }
         ("normal", [mean, deviation, count, seed]) => {
-            let (both, dimension) = two(mean, deviation, &whole)?;
-            (normal(both, number_of(count, &whole)?, seed_of(seed, &whole)?), dimension)
+            let both = two([mean, deviation], &mut dimensions, &whole)?;
+            normal(both, number_of(count, &whole)?, seed_of(seed, &whole)?)
         }
         ("", items) => {
             if separator == ',' && decimal_comma(inner, items) {
                 return Err(comma(whole));
             }
-            let mut dimension = None;
-            let values = items.iter().map(|item| quantity(item, &mut dimension, &whole)).collect::<Result<Vec<f64>, Notice>>()?;
-            (values, dimension)
+            items.iter().map(|item| quantity(item, &mut dimensions, &whole)).collect::<Result<Vec<f64>, Notice>>()?
         }
         _ => return Err(no_range(whole)),
     };
     let given = if kind.is_empty() { items.len() } else { 2 };
     let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let bare = items.iter().take(given).copied().find(|item| is_bare(item)).map(str::to_owned);
-    Ok(Range { name, values, dimension, bare, named, whole })
+    Ok(Range { name, values, dimensions, bare, named, whole })
 }
 
 /// Reads a stretch, `m=2 g..60 g`: its two ends, the first smaller.
@@ -162,14 +161,15 @@ pub(super) fn stretch(text: &str) -> Result<Range, Notice> {
     let Some((name, (from, to))) = parts.filter(|(name, _)| !name.trim().is_empty()) else { return Err(no_stretch()) };
     let start = name.len() - name.trim_start().len();
     let name = name.trim().to_owned();
-    let (values, dimension) = two(from, to, &whole)?;
+    let mut dimensions = Vec::new();
+    let values = two([from, to], &mut dimensions, &whole)?;
     if values[0] >= values[1] {
         return Err(no_stretch());
     }
     let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let bare = [from.trim(), to.trim()].into_iter().find(|item| is_bare(item)).map(str::to_owned);
     let named = start..start + name.len();
-    Ok(Range { name, values: values.to_vec(), dimension, bare, named, whole })
+    Ok(Range { name, values: values.to_vec(), dimensions, bare, named, whole })
 }
 
 /// Whether a comma between two digits leaves a bare number beside values with units: `1,5 kg, 2 kg`.
@@ -194,31 +194,26 @@ fn comma(whole: Span<usize>) -> Notice {
     )
 }
 
-fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Notice> {
-    let mut dimension = None;
-    let from = quantity(from, &mut dimension, whole)?;
-    let to = quantity(to, &mut dimension, whole)?;
-    Ok(([from, to], dimension))
+fn two([from, to]: [&str; 2], dimensions: &mut Vec<Dimension>, whole: &Span<usize>) -> Result<[f64; 2], Notice> {
+    Ok([quantity(from, dimensions, whole)?, quantity(to, dimensions, whole)?])
 }
 
 /// A quantity of the same dimension as the ones before it.
-fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) -> Result<f64, Notice> {
+fn quantity(text: &str, dimensions: &mut Vec<Dimension>, whole: &Span<usize>) -> Result<f64, Notice> {
     let quantity = parse_number_or_quantity(text).map_err(|fault| Notice { place: Place::Piece(whole.clone()), ..fault })?;
     let own = quantity.unit.dimension;
-    match dimension {
-        _ if !quantity.has_unit => {}
-        None => *dimension = Some(own),
-        Some(first) if !first.same(&own) => {
-            let (a, b) = (si_label(first), si_label(&own));
-            let (a_ru, b_ru) = (si_label_ru(first), si_label_ru(&own));
-            return Err(Notice::piece(
-                "M025",
-                whole.clone(),
-                format!("the values differ in dimension: {a} and {b}"),
-                format!("значения разной размерности: {a_ru} и {b_ru}"),
-            ));
-        }
-        Some(_) => {}
+    if let Some(first) = dimensions.first().filter(|first| quantity.has_unit && !first.same(&own)) {
+        let (a, b) = (si_label(first), si_label(&own));
+        let (a_ru, b_ru) = (si_label_ru(first), si_label_ru(&own));
+        return Err(Notice::piece(
+            "M025",
+            whole.clone(),
+            format!("the values differ in dimension: {a} and {b}"),
+            format!("значения разной размерности: {a_ru} и {b_ru}"),
+        ));
+    }
+    if quantity.has_unit && !dimensions.contains(&own) {
+        dimensions.push(own);
     }
     let value = quantity.to_f64();
     if value.is_finite() { Ok(value) } else { Err(crate::units::out_of_range(whole.clone())) }

@@ -266,7 +266,7 @@ fn heads(list: &[(&str, &str)], language: Language) -> Vec<Column> {
 fn number(x: f64, language: Language) -> Cell {
     match () {
         () if x.is_nan() => Cell::words("–"),
-        () if x.is_infinite() => Cell::words("∞"),
+        () if x.is_infinite() => Cell::words(if x < 0.0 { "−∞" } else { "∞" }),
         () => Cell::number(x, DIGITS, language),
     }
 }

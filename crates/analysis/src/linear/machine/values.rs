@@ -70,6 +70,20 @@ impl LinearMachine {
         places.iter().map(one).collect()
     }
 
+    /// The mean force along the first coordinate at rest, and its derivatives by that coordinate up to an order, as expressions of the graph of the linear
+    /// equations; fewer where they are longer than so many nodes.
+    pub fn force_series(&mut self, order: usize, longest: usize) -> Vec<Expr> {
+        let linear = &mut self.linear;
+        let mut list: Vec<Expr> = linear.force.first().copied().into_iter().collect();
+        let Some(symbol) = linear.coordinates.first().map(|c| c[0]) else { return list };
+        let mut derivation = Derivation::through(&mut linear.graph, &linear.definitions, symbol);
+        while let Some(last) = list.last().copied().filter(|last| list.len() <= order && linear.graph.reachable(&[*last]).len() <= longest)
+        {
+            list.push(derivation.apply(&mut linear.graph, last));
+        }
+        list
+    }
+
     /// The mean forces, their derivatives by parameters (parameter by parameter), and the reach of the reactions, as prepared expressions.
     ///
     /// *Errors*: a symbol without a meaning here.

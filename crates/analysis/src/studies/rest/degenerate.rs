@@ -159,12 +159,12 @@ pub fn degenerate(machine: &mut LinearMachine, place: &Place) -> Option<Degenera
         around.directions.iter().zip(&ways).filter(|(_, way)| **way != Way::Plain).map(|(d, _)| d.part.clone()).collect();
     let matrices = &around.along;
     let (_, odd) = parts(&matrices.stiffness, matrices.n);
-    let (damping, gyroscopic) = parts(&matrices.damping, matrices.n);
+    let (_, gyroscopic) = parts(&matrices.damping, matrices.n);
     if largest(&odd) > ODD * largest(&matrices.stiffness) || largest(&gyroscopic) > 0.0 {
         return Some(Degenerate { stable: None, flat });
     }
     let others = || around.directions.iter().zip(&ways).filter(|(_, way)| **way == Way::Plain).map(|(d, _)| d.stiffness);
-    let damped = largest(&damping) == 0.0 || algebra::cholesky::positive_definite(&damping, matrices.n) != Some(false);
+    let damped = matrices.calm();
     let stable = match () {
         () if ways.contains(&Way::Falls) || others().any(|k| k < 0.0) => Some(false),
         () if ways.iter().filter(|way| **way != Way::Plain).count() > 1 || ways.contains(&Way::Open) => None,

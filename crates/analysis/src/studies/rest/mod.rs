@@ -10,6 +10,7 @@ pub mod degenerate;
 pub mod fall;
 mod frictions;
 pub mod kinks;
+pub mod multiple;
 pub mod onesided;
 pub mod report;
 pub mod stability;

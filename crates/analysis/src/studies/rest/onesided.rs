@@ -27,7 +27,6 @@ use crate::rest::newton::balance;
 use crate::rest::places::{Place as Rest, is_noise};
 use crate::rest::system::{Parts, RestSystem};
 use crate::rest::{closed_contacts, hold};
-use algebra::cholesky::positive_definite;
 use algebra::vectors::{dot, norm};
 use algebra::{eigen, qr};
 use symbolic::Equations;
@@ -122,11 +121,11 @@ pub fn verdict(machine: &mut LinearMachine, place: &Place, touching: &[(usize, V
     let basis = matrices.allowed();
     let along = basis.as_ref().map_or(matrices.clone(), |(z, k)| matrices.reduced(z, *k));
     let (_, odd) = parts(&along.stiffness, along.n);
-    let (damping, gyroscopic) = parts(&along.damping, along.n);
+    let (_, gyroscopic) = parts(&along.damping, along.n);
     if largest(&odd) > NOTHING * largest(&along.stiffness) {
         return None;
     }
-    let calm = largest(&damping) == 0.0 || positive_definite(&damping, along.n) != Some(false);
+    let calm = along.calm();
     let free = largest(&gyroscopic) == 0.0;
     let bounds: Vec<Option<Vec<f64>>> = touching.iter().map(|(_, slopes)| reduced(slopes, basis.as_ref())).collect();
     let blind = bounds.contains(&None);

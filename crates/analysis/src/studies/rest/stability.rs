@@ -16,7 +16,7 @@
 use symbolic::Equations;
 use symbolic::connections::Law;
 
-use crate::linear::{Matrices, largest, parts};
+use crate::linear::{By, Graded, Matrices, largest, parts};
 use crate::studies::modes::Mode;
 use algebra::cholesky::positive_definite;
 use algebra::{eigen, elementary, qr};
@@ -55,7 +55,7 @@ pub fn verdict(along: &Matrices, modes: &[Mode]) -> Option<bool> {
         return Some(true);
     }
     let (even, odd) = parts(&along.stiffness, n);
-    let (damping, gyroscopic) = parts(&along.damping, n);
+    let (_, gyroscopic) = parts(&along.damping, n);
     let scale = largest(&along.stiffness);
     if scale > 0.0 && largest(&odd) <= AXIS * scale && largest(&gyroscopic) == 0.0 && falls(&even, n) {
         return Some(false);
@@ -64,7 +64,7 @@ pub fn verdict(along: &Matrices, modes: &[Mode]) -> Option<bool> {
         return None;
     }
     match positive_definite(&even, n) {
-        Some(true) if largest(&damping) == 0.0 || positive_definite(&damping, n) != Some(false) => Some(true),
+        Some(true) if along.calm() => Some(true),
         Some(false) if largest(&gyroscopic) == 0.0 => Some(false),
         _ => None,
     }
@@ -96,7 +96,11 @@ pub(super) fn scales(along: &Matrices) -> Vec<f64> {
 
 /// The same where each direction has a stiffness of its own size; weak springs beside hard ones have it in directions of their own.
 fn alike(along: &Matrices) -> Matrices {
-    along.graded().map_or_else(|| scaled(along), |graded| graded.matrices)
+    match along.graded() {
+        Some(Graded { matrices, by: By::Stiffness, .. }) => matrices,
+        Some(Graded { matrices, by: By::Damping, .. }) => scaled(&matrices),
+        None => scaled(along),
+    }
 }
 
 /// Directions along the surface that no stiffness resists.

@@ -17,6 +17,7 @@ mod phase;
 pub(crate) mod phase_error;
 mod pushes;
 mod rest;
+mod rounding;
 mod value;
 mod walk;
 
@@ -288,6 +289,7 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], solved: &mut Solved, 
             "the motion was not integrated numerically for comparison: that would take too many steps",
             "численное интегрирование для сравнения не выполнено: потребовалось бы слишком много шагов",
         ));
+        dataset.audits.push(rounding::audit(phases, times.iter().copied().fold(0.0, f64::max)));
         return;
     }
     let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));

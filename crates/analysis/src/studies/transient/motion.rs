@@ -92,6 +92,11 @@ impl Motion {
         }
     }
 
+    /// Whether shapes of weak springs beside hard ones carry it.
+    pub(super) fn is_by_shapes(&self) -> bool {
+        matches!(self, Motion::Exponential(Joint { shapes: Some(_), .. }))
+    }
+
     /// States (q, q') at each τ.
     pub fn states(&self, taus: &[f64]) -> Vec<Vec<f64>> {
         match self {

@@ -39,10 +39,14 @@ struct Loss {
     angle: f64,
 }
 
-/// A note where digits are lost up to the instant `last`.
-///
-/// *Errors*: S078 where fewer than six are left.
-pub(super) fn check(phases: &[Phase], last: f64) -> Result<Option<Text>, Fault> {
+/// The largest share that is lost up to the instant `last`.
+pub(super) fn largest(phases: &[Phase], last: f64) -> f64 {
+    let (worst, open) = losses(phases, last);
+    crate::audits::worse(worst.share, open.share)
+}
+
+/// By rounding of the angles, and by what is not known of the rates.
+fn losses(phases: &[Phase], last: f64) -> (Loss, Loss) {
     let (mut worst, mut open) = (Loss::default(), Loss::default());
     for phase in phases.iter().filter(|p| p.start < last) {
         let tau = last.min(phase.end) - phase.start;
@@ -58,6 +62,14 @@ pub(super) fn check(phases: &[Phase], last: f64) -> Result<Option<Text>, Fault> 
             }
         }
     }
+    (worst, open)
+}
+
+/// A note where digits are lost up to the instant `last`.
+///
+/// *Errors*: S078 where fewer than six are left.
+pub(super) fn check(phases: &[Phase], last: f64) -> Result<Option<Text>, Fault> {
+    let (worst, open) = losses(phases, last);
     match worst.share {
         s if s <= SILENT && open.share <= SILENT => Ok(None),
         s if s <= LOST => Ok(Some(note(if open.share > s { open } else { worst }))),

@@ -49,9 +49,10 @@ fn no_frequency(span: Range<usize>) -> Notice {
         .help("write frequency_variable = { z = \"m*k^2/c\" }", "напишите frequency_variable = { z = \"m*k^2/c\" }")
 }
 
-/// Two quantities, the first smaller.
+/// Two values of what another key names, the first smaller. They stand for what is given to that name: periods are no radians there (M027), as they are none in
+/// any other value of it; only an axis that is a frequency by nature ([`band`]) takes either.
 pub(super) fn ascending<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Option<[f64; 2]> {
-    let [from, to] = range(reader, value, wanted)?;
+    let [from, to] = range(reader, value, (wanted, Periods::Differ))?;
     if to <= from {
         reader.fault(descending(value.span(), [from, to]));
     }
@@ -60,7 +61,7 @@ pub(super) fn ascending<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wante
 
 /// Two frequencies, the first smaller and not negative, rad/s.
 pub(super) fn band<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<[f64; 2]> {
-    let [from, to] = range(reader, value, Some(&Dimension::ANGULAR_RATE))?;
+    let [from, to] = range(reader, value, (Some(&Dimension::ANGULAR_RATE), Periods::Turn))?;
     if to <= from {
         reader.fault(descending(value.span(), [from, to]));
     } else if from < 0.0 {
@@ -109,8 +110,8 @@ fn negative(span: Range<usize>, from: f64) -> Notice {
 }
 
 /// Two quantities.
-fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Option<[f64; 2]> {
-    let list = quantities(reader, value, wanted);
+fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, (wanted, periods): (Option<&Dimension>, Periods)) -> Option<[f64; 2]> {
+    let list = quantities(reader, value, (wanted, periods));
     if let [from, to] = list[..] {
         return Some([from, to]);
     }
@@ -124,8 +125,17 @@ fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dime
     None
 }
 
-/// Quantities; periods per second become radians per second where these are wanted.
-pub(super) fn quantities<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Vec<f64> {
+/// What a count of periods is where radians are wanted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Periods {
+    /// An axis that is a frequency by nature: each period is a turn.
+    Turn,
+    /// A value of something that the file names: M027.
+    Differ,
+}
+
+/// Quantities; periods per second become radians per second where these are wanted on an axis of frequencies.
+pub(super) fn quantities<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, (wanted, periods): (Option<&Dimension>, Periods)) -> Vec<f64> {
     let Some(items) = value.get_ref().as_array() else {
         reader.fault(wrong_type(value.span(), "an array of quantities", "массив величин", value.get_ref().type_str()));
         return Vec::new();
@@ -133,13 +143,19 @@ pub(super) fn quantities<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, want
     let mut found = Vec::with_capacity(items.len());
     for item in items.iter() {
         let Some(raw) = reader.raw(item) else { continue };
-        // a frequency may be given either way here: without the angle nothing is complained of
-        let angular = wanted.is_some_and(Dimension::is_angular);
-        let plain = wanted.map(Dimension::without_angle);
-        let checked = reader.value(&raw, &Context::CONSTANT, if angular { plain.as_ref() } else { wanted });
-        let periods = angular && matches!(checked.kind, Kind::Known(d) if d.lacks_radians());
+        // how a turning is counted is looked at below: without the angle nothing is complained of here
+        let turning = wanted.filter(|w| w.is_angular() || w.counts_periods());
+        let plain = turning.map(Dimension::without_angle);
+        let checked = reader.value(&raw, &Context::CONSTANT, plain.as_ref().or(wanted));
+        let got = if let Kind::Known(d) = checked.kind { Some(d) } else { None };
+        let fault = turning.zip(got).and_then(|(wanted, got)| crate::units::in_field(&got, wanted, raw.snippet.all()));
+        if let Some(fault) = fault.filter(|_| periods == Periods::Differ) {
+            reader.report(raw.snippet.diagnose(Notice { severity: words::Severity::Error, ..fault }));
+            continue;
+        }
+        let turns = wanted.is_some_and(Dimension::is_angular) && got.is_some_and(|d| d.lacks_radians());
         let number = reader.number(&checked);
-        found.extend(number.map(|v| if periods { TAU * v } else { v }));
+        found.extend(number.map(|v| if turns { TAU * v } else { v }));
     }
     found
 }

@@ -151,7 +151,9 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
             repeated::changed(reader, &name, span).map(|_| Value::Word(name))
         }
         Takes::FrequencyRange => frequencies::band(reader, raw).map(|ends| Value::Numbers(ends.to_vec())),
-        Takes::Frequencies => Some(Value::Numbers(frequencies::quantities(reader, raw, Some(&Dimension::ANGULAR_RATE)))),
+        Takes::Frequencies => {
+            Some(Value::Numbers(frequencies::quantities(reader, raw, (Some(&Dimension::ANGULAR_RATE), frequencies::Periods::Turn))))
+        }
         Takes::Results => Some(Value::Words(names::outputs(reader, raw))),
         Takes::Observed => Some(Value::Words(observed::read(reader, raw))),
         Takes::Plots => Some(Value::Plots(plots(reader, raw, Axis::Time))),

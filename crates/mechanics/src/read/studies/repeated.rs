@@ -58,7 +58,9 @@ fn read<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, parse: fn(&str) -> Re
         reader.report(snippet.diagnose(fault));
         return None;
     };
-    if let Err(fault) = range.fits(&known(wanted).unwrap_or(range.dimension.unwrap_or(Dimension::NONE)), reader.scaled.get(&range.name)) {
+    if let Err(fault) =
+        range.fits(&known(wanted).unwrap_or(range.dimensions.first().copied().unwrap_or(Dimension::NONE)), reader.scaled.get(&range.name))
+    {
         reader.report(snippet.diagnose(fault));
         return None;
     }
