@@ -227,10 +227,13 @@ mod tests {
         let ten = peaks(|t| (10.0 * t).exp() - 1e4 * t, 12.0);
         // e^(10 t) = 1000 at the least value
         let least = 1e3 * (1.0 - 1e3_f64.ln());
+        // values of some hundred roundings
         assert!((ten.found.min - least).abs() < 1e-11 * least.abs(), "{}", ten.found.min);
         let touch = peaks(|t| (t - 7.3).powi(4) * (2.0 * t).exp(), 12.0);
+        // what the place is off by, 1e-9 at most, to the fourth power
         assert!(touch.found.min < 1e-30, "{}", touch.found.min);
         let plain = peaks(|t| (3.0 * t).sin().powi(2), 12.0);
+        // the square of what the place of a simple extreme is off by
         assert!(plain.found.min < 1e-25);
     }
 }

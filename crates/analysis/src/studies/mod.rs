@@ -3,7 +3,7 @@
 //! Motions and regimes: [`simulate`], [`poincare`] (section points), [`transient`] (closed form, phase by phase), [`periodic`] (regimes), [`continuation`] (branches over a parameter),
 //! [`stability`] (periodic coefficients, disturbances in the long run), [`average`] (over a fast turn), [`threshold`] (where something changes), [`map`] (classes over two parameters); `pace` (runs whose steps grow without end).
 //! Small motions: [`modes`], [`rolling`] (with conditions on rates), [`tracks`] with `successors` (modes along a parameter), [`response`], [`superposition`] (all harmonics together); below them
-//! [`shapes`], `roots` (what damping couples), `polish`, `sharp` (beside a root with little damping), [`impedance`], [`amplitudes`], `free_motion` (nothing holds), [`extremes`], [`least`], [`swings`], and [`limits`] with `balance` (how far small motions hold).
+//! [`shapes`], `roots` (what damping couples), `clusters` (several with one shape), `polish`, `sharp` (beside a root with little damping), [`impedance`], [`amplitudes`], `free_motion` (nothing holds), [`extremes`], [`least`], [`swings`], and [`limits`] with `balance` (how far small motions hold).
 //! Rest and linkages: [`equilibrium`], [`rest`] (stability of places, what changes along a parameter), [`unknowns`], [`statics`] with `telling`, [`kinematics`], [`cycle`], [`pushed`].
 //! Frames: [`structure_statics`], [`structure_modes`]. Formulas against machines: [`claims`]. Codes of all: `explain`.
 

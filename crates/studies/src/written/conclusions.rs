@@ -338,6 +338,7 @@ mod tests {
                         assert_eq!(words.contains("static"), gain.is_some_and(f64::is_finite), "{words}");
                     }
                     Conclusion::Antiresonance { exact, .. } => assert!(*exact && value > 0.0, "{statement:?}"),
+                    Conclusion::Number { value, .. } => assert!(value.is_finite() && !words.contains('–'), "{statement:?}"),
                     _ => assert!(value >= 0.0),
                 }
             }

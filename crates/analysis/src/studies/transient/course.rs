@@ -6,14 +6,19 @@ use program::Behind;
 
 use super::phase::{Phase, modes};
 use super::walk::Walk;
-use crate::dataset::{Extreme, Overall};
+use crate::dataset::{Column, Extreme, Overall};
 use crate::marks::Line;
 use crate::marks::course::Course;
 use crate::proxies::proxy::{Proxies, Source};
 use crate::{Mode, System};
 
-/// Extremes, integrals and last values of the chosen outputs; the names of those that could not be followed everywhere come third.
-pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]) -> (Vec<Extreme>, Vec<Overall>, Vec<String>) {
+/// Extremes, integrals and last values of the chosen outputs, with the rows of their table; the names of those that could not be followed everywhere come third.
+pub(super) fn course<S: System + ?Sized>(
+    system: &mut S,
+    phases: &[Phase],
+    chosen: &[usize],
+    table: &[Column],
+) -> (Vec<Extreme>, Vec<Overall>, Vec<String>) {
     let mut course = Course::new(chosen.len(), Proxies::default());
     let mut ends = [vec![f64::NAN; chosen.len()], vec![f64::NAN; chosen.len()]];
     for (i, phase) in phases.iter().enumerate() {
@@ -24,6 +29,10 @@ pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chose
             ends[0].copy_from_slice(&closed.sample(0.0)[..chosen.len()]);
         }
         ends[1].copy_from_slice(&closed.sample(length)[..chosen.len()]);
+    }
+    // of what is rounding every row has another value
+    for (k, column) in table[1..].iter().enumerate() {
+        table[0].values.iter().zip(&column.values).for_each(|(t, value)| course.offer(k, *t, *value));
     }
     let lost = course.lost().into_iter().map(|k| system.outputs()[chosen[k]].name.clone()).collect();
     (course.found(), course.overall([&ends[0], &ends[1]]), lost)

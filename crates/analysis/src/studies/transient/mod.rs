@@ -212,7 +212,7 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], ch
     let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
     let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
     columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
-    let (extremes, overall, lost) = course::course(system, phases, chosen);
+    let (extremes, overall, lost) = course::course(system, phases, chosen, &columns);
     let notes = simulate::untraced(&lost).into_iter().collect();
     Ok(Dataset { axis: Some(0), columns, events: starts(system, phases, chosen), extremes, overall, notes, ..Dataset::default() })
 }
