@@ -168,7 +168,12 @@ impl Root {
 ///
 /// *Errors*: S031 of a machine that follows the frequency.
 fn roots(forced: &mut Forced, natural: &[Mode], [from, to]: [f64; 2]) -> Result<Vec<Root>, Fault> {
-    let weak = |m: &&Mode| m.kind == Kind::Oscillation && m.root.0 != 0.0 && m.ratio.abs() < SHARP;
+    // beside another root the refinement may come to that one, and points about both stand near enough
+    let alone = |m: &Mode| {
+        let reach = 2.0 * LOOKED[LOOKED.len() - 1] * SHARP * m.damped;
+        natural.iter().all(|o| o.kind != Kind::Oscillation || o.root == m.root || (o.damped - m.damped).abs() > reach)
+    };
+    let weak = |m: &&Mode| m.kind == Kind::Oscillation && m.root.0 != 0.0 && m.ratio.abs() < SHARP && alone(m);
     let mut found: Vec<Root> = Vec::new();
     for (i, mode) in natural.iter().enumerate().filter(|(_, m)| weak(m) && (from..=to).contains(&m.damped)) {
         let own = match forced.is_followed() {

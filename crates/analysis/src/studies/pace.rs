@@ -1,5 +1,6 @@
 //! How the number of steps of a run grows.
 
+use crate::{GuardKind, System};
 use algebra::elementary;
 
 /// A doubling of the number of steps takes twice as long as the one before at a steady pace, 1.4 times where the frequency grows with the time, and as long where it grows exponentially: switches
@@ -33,6 +34,11 @@ impl Doubled {
         let needed = (steps as f64 * elementary::exp2((end - time) / took)).min(f64::MAX);
         (alike >= DOUBLINGS && needed > most).then_some((took, needed))
     }
+}
+
+/// Whether numbers of steps may double in equal times and come to an end: the integrator passes the limit of impacts that follow each other ever faster.
+pub(super) fn may_strike<S: System + ?Sized>(system: &S) -> bool {
+    system.guards().iter().any(|guard| matches!(guard.kind, GuardKind::Contact { .. }))
 }
 
 #[cfg(test)]

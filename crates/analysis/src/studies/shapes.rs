@@ -225,8 +225,8 @@ fn defective([first, last]: [usize; 2], root: Complex) -> Text {
         (format!(", the motion has terms up to {t} exp(λ t)"), format!(", в движение входят слагаемые до {t} exp(λ t)"))
     };
     Text::new(
-        format!("modes {first} to {last} have one root and one shape (a multiple root){en}"),
-        format!("у форм с {first} по {last} общие корень и форма (кратный корень){ru}"),
+        format!("modes {first} to {last} have one root and one shape but for rounding (a multiple root){en}"),
+        format!("у форм с {first} по {last} с точностью до округления общие корень и форма (кратный корень){ru}"),
     )
 }
 

@@ -5,7 +5,7 @@ use super::listener::Stage;
 use super::options::{Periodic, Return};
 use super::orbit::Orbit;
 use crate::integrate::taylor::{Flow, Options};
-use crate::studies::pace::Doubled;
+use crate::studies::pace::{Doubled, may_strike};
 use crate::studies::simulate::Grid;
 use crate::{Fault, System};
 
@@ -131,7 +131,7 @@ pub(super) fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, optio
         if steps > SAMPLE && needed > MOST {
             return Err(Fault::too_many_steps(&flow.fastest(), time, time / steps, needed));
         }
-        if let Some((took, needed)) = doubled.look((flow.work().steps, time), (end, MOST)) {
+        if let Some((took, needed)) = doubled.look((flow.work().steps, time), (end, MOST)).filter(|_| !may_strike(flow.system())) {
             return Err(Fault::ever_more_steps(&flow.fastest(), time, took, needed));
         }
     }

@@ -25,6 +25,8 @@ const STEPS: usize = 40;
 const SETTLED: f64 = 1e-18;
 /// How far the place may be from where Newton's method has ended, as a share of its size (of 1 where it is zero).
 const NEAR: f64 = 0.2;
+/// The way from there to the place, with room to spare.
+const BEYOND: f64 = 4.0;
 /// Share of the term of order m, over that distance, below which terms of lower order are rounding of the place: at a zero of order m - 1 they are of its size.
 const VANISHED: f64 = 1e-9;
 /// Share of terms of higher order that the term of order m has at least: one that is rounding has less.
@@ -40,8 +42,11 @@ pub fn settled(machine: &mut LinearMachine, q: f64) -> Option<f64> {
     let size = NEAR * if q == 0.0 { 1.0 } else { q.abs().max(NEAR) };
     (2..series.len().saturating_sub(1)).find_map(|order| {
         let found = simple(machine, [series[order - 1], series[order]], Double::from(q))?;
-        let terms = terms(machine, &series, (found, size))?;
-        let near = (found.round() - q).abs() <= size;
+        let terms = terms_over(machine, &series, (found, size))?;
+        let moved = (found.round() - q).abs();
+        // over the way to it as well: a machine may be far smaller than that distance
+        let way = terms_over(machine, &series[..=order], (found, BEYOND * moved))?;
+        let near = moved == 0.0 || moved <= size && way[..order].iter().all(|t| *t <= VANISHED * way[order]);
         let zero = terms[..order].iter().all(|t| *t <= VANISHED * terms[order]);
         let leads = terms[order + 1..].iter().all(|t| LEADS * t <= terms[order]);
         // a force of its own rounding is zero
@@ -76,7 +81,7 @@ fn simple(machine: &LinearMachine, list: [symbolic::Expr; 2], start: Double) -> 
 }
 
 /// |h^(j)| size^j / j!.
-fn terms(machine: &LinearMachine, series: &[symbolic::Expr], (q, size): (Double, f64)) -> Option<Vec<f64>> {
+fn terms_over(machine: &LinearMachine, series: &[symbolic::Expr], (q, size): (Double, f64)) -> Option<Vec<f64>> {
     let values = machine.series_at(series, q)?;
     let mut factor = 1.0;
     let term = |(j, value): (usize, &Double)| {

@@ -27,7 +27,7 @@ use crate::marks::extremes::Extremes;
 use crate::marks::named::Watcher;
 use crate::marks::pushes::Pushes;
 use crate::marks::windows::Windows;
-use crate::studies::pace::Doubled;
+use crate::studies::pace::{Doubled, may_strike};
 use crate::{Fault, GuardKind, Mode, Quantity, System};
 use words::digits::{number, rounded};
 
@@ -144,9 +144,10 @@ pub(super) enum Hopeless {
 }
 
 impl Pace {
-    fn look<S: System + ?Sized>(&mut self, flow: &Flow<'_, S>, end: f64, most: f64) -> Result<(), Fault> {
+    fn look<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, end: f64, most: f64) -> Result<(), Fault> {
         match self.is_hopeless((flow.work().steps, flow.time()), end, most) {
             Some(Hopeless::Short(step)) => Err(Fault::too_many_steps(&flow.fastest(), flow.time(), step, self.remaining)),
+            Some(Hopeless::Growing(_)) if may_strike(flow.system()) => Ok(()),
             Some(Hopeless::Growing(took)) => Err(Fault::ever_more_steps(&flow.fastest(), flow.time(), took, self.remaining)),
             None => Ok(()),
         }
