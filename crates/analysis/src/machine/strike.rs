@@ -98,6 +98,15 @@ impl Strike {
         matches!(self.units[i].law, Law::Contact { .. })
     }
 
+    /// The sign of the work that a positive impulse does on a positive rate: that of a contact drives, that of a friction resists, also where its rate is prescribed and no impulse changes it.
+    fn side(&self, i: usize) -> f64 {
+        match self.units[i].law {
+            Law::Contact { .. } => 1.0,
+            Law::Friction { .. } => -1.0,
+            Law::Rough => self.coupling[i * self.units.len() + i].signum(),
+        }
+    }
+
     fn contacts(&self) -> Vec<usize> {
         (0..self.units.len()).filter(|&i| self.is_contact(i)).collect()
     }
@@ -171,11 +180,10 @@ impl Strike {
 
     /// Refuses a blow that gives energy. What it is compared with are the terms of its work.
     fn refuse_gain(&self, taking: &[usize], set: &[usize], [rates, impulses]: &[Vec<f64>; 2]) -> Result<(), Fault> {
-        let count = self.units.len();
         let (mut gain, mut size) = (0.0, 0.0);
         for &i in set {
             let given = self.impulses[i] - impulses[i];
-            gain += 0.5 * self.coupling[i * count + i].signum() * given * (rates[i] + self.rates[i]);
+            gain += 0.5 * self.side(i) * given * (rates[i] + self.rates[i]);
             size += 0.5 * given.abs() * (GAIN * (rates[i].abs() + self.rates[i].abs()) + 2.0 * self.units[i].rounding);
         }
         if gain <= size {
@@ -248,10 +256,9 @@ impl Strike {
 
     /// Books the work of impulses that took the rates from those before to the present ones.
     pub(super) fn book(&mut self, (set, impulses): (&[usize], &[f64]), before: &[f64]) {
-        let count = self.units.len();
         for (&i, p) in set.iter().zip(impulses) {
             let (was, is) = (before[i], self.rates[i]);
-            self.work.done += 0.5 * self.coupling[i * count + i].signum() * p * (was + is);
+            self.work.done += 0.5 * self.side(i) * p * (was + is);
             self.work.met += 0.5 * p.abs() * (was.abs() + is.abs());
             self.work.rounding += p.abs() * self.noise[i];
         }

@@ -12,6 +12,8 @@ use algebra::arrange::Arrange;
 
 /// Roundings of an instant below which events of an interval are not told from its ends.
 const RESOLVED: f64 = 1e3 * f64::EPSILON;
+/// Intervals of which most tell what goes on; of fewer one may have an event of its own.
+const FEW: usize = 4;
 /// Roundings of an instant below which intervals are compared no more.
 const NOISE: f64 = 64.0 * f64::EPSILON;
 
@@ -40,17 +42,20 @@ fn intervals(events: &[Event], rest: &Event) -> Vec<[f64; 2]> {
     }
     all.retain(|[from, to]| to - from > RESOLVED * rest.t.abs());
     // the last interval stands first
-    all.truncate(all.len().div_ceil(2));
+    if all.len() >= FEW {
+        all.truncate(all.len().div_ceil(2));
+    }
     all
 }
 
-/// Whether something happens in most of the intervals, ends included.
+/// Whether something happens in most of the intervals, ends included; in all where they are few.
 fn goes_along(times: &[f64], intervals: &[[f64; 2]]) -> bool {
     let within = |[from, to]: &&[f64; 2]| {
         let first = times.partition_point(|t| t <= from);
         times.get(first).is_some_and(|t| t <= to)
     };
-    !intervals.is_empty() && 2 * intervals.iter().filter(within).count() > intervals.len()
+    let count = intervals.iter().filter(within).count();
+    count > 0 && (count == intervals.len() || intervals.len() >= FEW && 2 * count > intervals.len())
 }
 
 #[cfg(test)]
@@ -76,6 +81,17 @@ mod tests {
         list.extend((0..8).map(|k| named("level", 0.4 * at(k) + 0.6 * at(k + 1))));
         list.extend((0..1000).map(|k| named("clock", 1e-3 * f64::from(k))));
         list
+    }
+
+    /// A ratio of 1e-6 leaves two intervals: what happens in the second alone happens once.
+    #[test]
+    fn of_few_intervals_all_count() {
+        let mut list: Vec<Event> = [0.5, 0.5 + 1e-6, 0.5 + 1e-6 + 1e-12].into_iter().map(|t| impact(t, Some(1.0))).collect();
+        list.push(impact(0.5 + 1e-6 + 1e-12, None));
+        list.extend([0.5 + 5e-7, 0.5 + 1e-6 + 5e-13].map(|t| named("top", t)));
+        list.push(named("once", 0.5 + 1e-6 + 4e-13));
+        let of = |name: &str| endless(&list, &|event| event.name == name);
+        assert!(of("top").is_some() && of("once").is_none());
     }
 
     #[test]
