@@ -1,6 +1,6 @@
 //! Least and greatest values of a motion, with their instants, and its means.
 //!
-//! Candidates are both ends of every step (so both sides of every jump) and the zeros of the derivative inside ([`super::peaks`]). A step whose Σ |c_k| h^k cannot exceed
+//! Candidates are both ends of every step (so both sides of every jump) and the zeros of the derivative inside (`peaks.rs`). A step whose Σ |c_k| h^k cannot exceed
 //! what was found is passed over. Of values that differ by less than the tolerance times the range the first one counts: a periodic motion names its
 //! first peak, not the one that rounding favours.
 //!

@@ -33,7 +33,7 @@ pub enum GuardKind {
         pressed: Vec<usize>,
     },
     /// Gap of a one-sided contact. `Positive`: open. `Zero`: closed, a condition holds the gap, and `force` must not be negative; when it
-    /// falls below zero the contact opens. Never `Negative`: when the gap closes with a rate, [`System::impact`] gives the rates after it.
+    /// falls below zero the contact opens. Never `Negative`: when the gap closes with a rate, [`crate::System::impact`] gives the rates after it.
     Contact {
         /// Guard of kind `Bound`: the contact force.
         force: usize,
@@ -90,7 +90,7 @@ pub struct Supply {
     pub dissipated: f64,
 }
 
-/// States and their rates at several places of a motion, at most [`ABREAST`].
+/// States and their rates at several places of a motion, at most [`crate::system::ABREAST`].
 #[derive(Clone, Debug, Default)]
 pub struct Motions {
     /// How many places there are; what stands behind them has no meaning.
@@ -116,7 +116,7 @@ pub struct Blow {
     pub phased: bool,
     /// Contacts and frictions to which nothing happened but rounding of the rates and impulses of the instant, by guard.
     pub silent: Vec<usize>,
-    /// Impulses of all reactions, those of supports included; [`System::impulses`] names them. Empty where there are none.
+    /// Impulses of all reactions, those of supports included; [`crate::System::impulses`] names them. Empty where there are none.
     pub reactions: Vec<f64>,
     /// Which contacts strike at once.
     pub law: Impacts,
