@@ -99,15 +99,20 @@ impl Watch {
         self.measure(rows.count, h);
         for i in 0..self.nodes.len() {
             let node = self.nodes[i];
-            if self.calm(rows, node, tolerance) {
-                continue;
-            }
-            self.looks += 1;
-            let shorter = if is_singular(rows, node) {
-                self.held = true;
-                self.over_singular(rows, node, h, tolerance).max(least).min(h)
+            let shorter = if self.calm(rows, node, tolerance) {
+                if !self.may_turn(rows, node) {
+                    continue;
+                }
+                self.looks += 1;
+                looked((rows, node), h, tolerance, &keeps_its_sign)
             } else {
-                looked(rows, node, h, tolerance)
+                self.looks += 1;
+                if is_singular(rows, node) {
+                    self.held = true;
+                    self.over_singular(rows, node, h, tolerance).max(least).min(h)
+                } else {
+                    looked((rows, node), h, tolerance, &is_good)
+                }
             };
             if shorter < h {
                 h = shorter;
@@ -115,6 +120,11 @@ impl Watch {
             }
         }
         h
+    }
+
+    /// Whether the polynomial of a root may pass zero: of a square both roots are polynomials, and the one that passes zero is not the root behind it.
+    fn may_turn(&mut self, rows: Rows<'_>, node: Watched) -> bool {
+        node.is_positive() && self.way(rows, node.c) > rows.row(node.c)[0]
     }
 
     fn measure(&mut self, count: usize, h: f64) {
@@ -154,8 +164,6 @@ impl Watch {
             Curve::Quotient => self.way(rows, b) <= NEAR * rows.row(b)[0].abs(),
             Curve::Root | Curve::Power(_) if is_singular(rows, node) => false,
             Curve::Root | Curve::Power(_) | Curve::Log if way_a <= NEAR * row[0].abs() => true,
-            // of a square both roots are polynomials: the one that passes zero is not the root behind it
-            _ if node.is_positive() && self.way(rows, c) >= rows.row(c)[0] => false,
             Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh if way_a <= 1.0 => true,
             Curve::Asin | Curve::Acos if row[0].abs() + way_a <= 0.9 => true,
             // the singular points of both are at ±i
@@ -245,7 +253,7 @@ fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
 }
 
 /// The part of [0, h] on which an operation is good.
-fn looked(rows: Rows<'_>, node: Watched, mut h: f64, tolerance: f64) -> f64 {
+fn looked((rows, node): (Rows<'_>, Watched), mut h: f64, tolerance: f64, good: Judge<'_>) -> f64 {
     if rows.count > LEAST_COUNT {
         h = convergent(rows.row(node.a), h, tolerance);
         if node.curve.has_two() {
@@ -256,7 +264,7 @@ fn looked(rows: Rows<'_>, node: Watched, mut h: f64, tolerance: f64) -> f64 {
         let whole = Part::whole(rows, node, h);
         let weight = largest(node, &whole).max(NOTHING);
         let allowed = tolerance.max(64.0 * f64::EPSILON) * weight;
-        match good_share(node, whole, allowed) {
+        match good_share(node, whole, allowed, good) {
             1.0 => return h,
             // the feature is nearer than one look resolves
             0.0 => h *= elementary::powi(0.5_f64, DEPTH as i32),
@@ -351,10 +359,10 @@ fn largest(node: Watched, whole: &Part) -> f64 {
 }
 
 /// Share of the step, from its start, on which f stays where its polynomial is.
-fn good_share(node: Watched, whole: Part, allowed: f64) -> f64 {
+fn good_share(node: Watched, whole: Part, allowed: f64, good: Judge<'_>) -> f64 {
     let mut parts = vec![whole];
     while let Some(part) = parts.pop() {
-        if is_good(node, &part, allowed) {
+        if good(node, &part, allowed) {
             continue;
         }
         if part.depth >= if node.is_positive() { DEEP } else { DEPTH } {
@@ -368,6 +376,14 @@ fn good_share(node: Watched, whole: Part, allowed: f64) -> f64 {
     1.0
 }
 
+/// Whether a part of a step is good.
+type Judge<'j> = &'j dyn Fn(Watched, &Part, f64) -> bool;
+
+/// Whether the polynomial of a root is not the other root of a square.
+fn keeps_its_sign(node: Watched, part: &Part, allowed: f64) -> bool {
+    !node.is_positive() || part.range(2).low >= -allowed
+}
+
 fn is_good(node: Watched, part: &Part, allowed: f64) -> bool {
     let Some(mut f) = part.values(node) else { return false };
     let c = part.range(2);
@@ -376,8 +392,7 @@ fn is_good(node: Watched, part: &Part, allowed: f64) -> bool {
         let turns = ((c.low + c.high - f.low - f.high) / (2.0 * turn)).round() * turn;
         f = Range { low: f.low + turns, high: f.high + turns };
     }
-    // the other root of a square
-    if node.is_positive() && c.low < -allowed {
+    if !keeps_its_sign(node, part, allowed) {
         return false;
     }
     let off = (f.high - c.high).max(c.low - f.low);
