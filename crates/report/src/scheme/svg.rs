@@ -159,8 +159,8 @@ fn formula_spans(out: &mut String, formula: &str) {
     let mut shift = 0;
     while !rest.is_empty() {
         let (before, after) = rest.split_once('_').unwrap_or((rest, ""));
-        if !before.is_empty() {
-            let _ = write!(out, "<tspan font-size=\"13\" dy=\"{}\">{}</tspan>", -shift, markup(before));
+        for (run, slope) in runs(before, formula) {
+            let _ = write!(out, "<tspan font-size=\"13\" dy=\"{}\"{slope}>{}</tspan>", -shift, markup(run));
             shift = 0;
         }
         let end = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
@@ -170,6 +170,22 @@ fn formula_spans(out: &mut String, formula: &str) {
         }
         rest = &after[end..];
     }
+}
+
+/// Letters and products of two slope; digits, names of functions, words and the units of a value stand upright.
+fn runs<'t>(text: &'t str, formula: &str) -> Vec<(&'t str, &'static str)> {
+    let is_value = formula.starts_with(|c: char| c.is_ascii_digit());
+    let mut list = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let is_letter = |c: char| c.is_alphabetic() && !('₀'..='ₜ').contains(&c);
+        let end = rest.find(|c: char| is_letter(c) != is_letter(first)).unwrap_or(rest.len());
+        let (run, after) = rest.split_at(end);
+        let slopes = is_letter(first) && run.chars().count() <= 2 && !matches!(run, "tg" | "ln" | "sh" | "ch" | "th") && !is_value;
+        list.push((run, if slopes { " font-style=\"italic\"" } else { "" }));
+        rest = after;
+    }
+    list
 }
 
 fn symbol_spans(out: &mut String, name: &str, language: Language) {
